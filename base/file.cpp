@@ -1,0 +1,83 @@
+#include "base/file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <utility>
+
+#include "base/error.h"
+
+namespace wedgesim {
+namespace fs = std::filesystem;
+
+void write_atomically(const fs::path& path,
+                      const std::function<void(const fs::path& temporary)>& write) {
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder)) {
+    throw InputError(path.string(), "its folder cannot be made", "a writable folder");
+  }
+  if (fs::is_directory(path)) throw InputError(path.string(), "is a folder", "a file name");
+  // The extension stays, because image writers choose the format by it.
+  const fs::path temporary =
+      folder / fmt::format(".{}.{}{}", path.stem().string(), getpid(), path.extension().string());
+  try {
+    write(temporary);
+    fs::rename(temporary, path);
+  } catch (const fs::filesystem_error& e) {
+    fs::remove(temporary, error);
+    throw InputError(path.string(), e.code().message(), "a writable file");
+  } catch (...) {
+    fs::remove(temporary, error);
+    throw;
+  }
+}
+
+void write_file(const fs::path& path, std::span<const std::byte> bytes) {
+  write_atomically(path, [&](const fs::path& temporary) {
+    std::ofstream out(temporary, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out) throw InputError(path.string(), "cannot be written", "a writable file with room");
+  });
+}
+
+void write_file(const fs::path& path, std::string_view text) {
+  write_file(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+MappedFile::MappedFile(const fs::path& path) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) throw InputError(path.string(), std::strerror(errno), "a readable file");
+  struct stat status = {};
+  if (fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
+    close(file);
+    throw InputError(path.string(), "is not a regular file", "a readable file");
+  }
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size > 0) {
+    void* data = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
+    if (data == MAP_FAILED) {
+      close(file);
+      throw InputError(path.string(), std::strerror(errno), "a file that can be mapped");
+    }
+    bytes_ = {static_cast<const std::byte*>(data), size};
+  }
+  close(file);
+}
+
+MappedFile::MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
+
+MappedFile::~MappedFile() {
+  if (!bytes_.empty()) munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
+}
+
+}  // namespace wedgesim

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace wedgesim::functional {
+
+/// Triangles over shared vertices; counter-clockwise seen from outside.
+struct Mesh {
+  std::string name;
+  std::vector<glm::dvec3> positions;                    // world units
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into positions
+};
+
+/// A mesh in the world. Every object receives shadows; a caster must be a closed two-manifold.
+struct Object {
+  Mesh mesh;
+  bool casts = false;
+  glm::dvec3 colour{0.8};  // linear reflectance, [0, 1]
+};
+
+enum class LightShape { point, rectangle, sphere };
+
+struct Light {
+  LightShape shape = LightShape::rectangle;
+  glm::dvec3 centre{0.0};
+  glm::dvec3 half_u{0.0};  // rectangle: half axes, orthogonal; it shines along half_u × half_v
+  glm::dvec3 half_v{0.0};
+  double radius = 0.0;     // sphere
+  glm::dvec3 colour{1.0};
+};
+
+struct Camera {
+  glm::dvec3 eye{0.0};
+  glm::dvec3 target{0.0};
+  glm::dvec3 up{0.0, 1.0, 0.0};
+  double field_of_view_degrees = 45.0;  // vertical
+  double near_plane = 0.1;              // world units
+  double far_plane = 100.0;
+};
+
+/// One frame: everything the renderer needs.
+struct Scene {
+  std::string name;
+  std::string description;
+  int width = 640;
+  int height = 427;
+  Camera camera;
+  Light light;
+  std::vector<Object> objects;
+};
+
+}  // namespace wedgesim::functional
