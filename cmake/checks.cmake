@@ -1,0 +1,21 @@
+# Tests that are no programs of tests/: how the sources are written, and the unit tests again under
+# the sanitizers. They run from an optimized build only; docs/testing.md lists the labels.
+if(WEDGESIM_SANITIZE OR WEDGESIM_FUZZ OR NOT CMAKE_BUILD_TYPE STREQUAL "Release")
+  return()
+endif()
+
+add_test(NAME style.format
+  COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${PROJECT_SOURCE_DIR}
+          -P ${PROJECT_SOURCE_DIR}/tests/format_check.cmake)
+add_test(NAME style.house
+  COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${PROJECT_SOURCE_DIR}
+          -P ${PROJECT_SOURCE_DIR}/tests/house_check.cmake)
+add_test(NAME style.scripts WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+  COMMAND shellcheck -x run test .ci/run .ci/setup.sh)
+set_tests_properties(style.format style.house style.scripts PROPERTIES LABELS style TIMEOUT 120)
+
+wedgesim_nested_build(sanitize.build asan unit_tests)
+add_test(NAME sanitize.unit WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+  COMMAND ${CMAKE_CTEST_COMMAND} --preset asan -L ^unit$ --no-tests=error)
+set_tests_properties(sanitize.build sanitize.unit PROPERTIES LABELS sanitize)
+set_tests_properties(sanitize.unit PROPERTIES FIXTURES_REQUIRED sanitize.build TIMEOUT 1800)

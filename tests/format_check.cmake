@@ -1,0 +1,15 @@
+# cmake -D SOURCE_DIR=... -P format_check.cmake: every C++ source is as clang-format writes it.
+foreach(room base traces functional model reports cli tests bench)
+  file(GLOB_RECURSE found LIST_DIRECTORIES false
+       ${SOURCE_DIR}/${room}/*.h ${SOURCE_DIR}/${room}/*.cpp)
+  list(APPEND sources ${found})
+endforeach()
+list(LENGTH sources count)
+if(count EQUAL 0)
+  message(FATAL_ERROR "no sources found in ${SOURCE_DIR}")
+endif()
+execute_process(COMMAND clang-format --dry-run --Werror ${sources} RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "clang-format -i on the files above mends this")
+endif()
+message("${count} sources are well formatted")
