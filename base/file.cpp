@@ -15,22 +15,49 @@
 
 namespace wedgesim {
 namespace fs = std::filesystem;
+namespace {
+
+// A device, a pipe or a link (/dev/stdout is one) is written into, never replaced.
+bool is_written_into(const fs::path& path) {
+  std::error_code error;
+  return fs::is_symlink(path, error) || fs::is_other(path, error);
+}
+
+void copy_into(const fs::path& from, const fs::path& path) {
+  std::ifstream in(from, std::ios::binary);
+  std::ofstream out(path, std::ios::binary);
+  if (fs::file_size(from) > 0) out << in.rdbuf();
+  out.close();
+  if (!out) throw InputError(path.string(), "cannot be written", "a writable file with room");
+}
+
+}  // namespace
 
 void write_atomically(const fs::path& path,
                       const std::function<void(const fs::path& temporary)>& write) {
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const bool into = is_written_into(path);
   std::error_code error;
+  const fs::path folder = into                     ? fs::temp_directory_path()
+                          : path.has_parent_path() ? path.parent_path()
+                                                   : fs::path(".");
   fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) {
+  if (error || !fs::is_directory(folder, error)) {
     throw InputError(path.string(), "its folder cannot be made", "a writable folder");
   }
-  if (fs::is_directory(path)) throw InputError(path.string(), "is a folder", "a file name");
+  if (fs::is_directory(path, error)) {
+    throw InputError(path.string(), "is a folder", "a file name");
+  }
   // The extension stays, because image writers choose the format by it.
   const fs::path temporary =
       folder / fmt::format(".{}.{}{}", path.stem().string(), getpid(), path.extension().string());
   try {
     write(temporary);
-    fs::rename(temporary, path);
+    if (into) {
+      copy_into(temporary, path);
+      fs::remove(temporary);
+    } else {
+      fs::rename(temporary, path);
+    }
   } catch (const fs::filesystem_error& e) {
     fs::remove(temporary, error);
     throw InputError(path.string(), e.code().message(), "a writable file");
@@ -55,7 +82,7 @@ void write_file(const fs::path& path, std::string_view text) {
 }
 
 MappedFile::MappedFile(const fs::path& path) {
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // no wait at a pipe
   if (file < 0) throw InputError(path.string(), std::strerror(errno), "a readable file");
   struct stat status = {};
   if (fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {

@@ -9,7 +9,8 @@
 namespace wedgesim {
 
 /// Writes a file whole or not at all: `write` gets a temporary path in the same folder, which is
-/// renamed to `path` when it returns and removed when it throws. Makes missing folders.
+/// renamed to `path` when it returns and removed when it throws. Makes missing folders. A device,
+/// pipe or symbolic link is not replaced: the finished bytes are copied into it.
 /// \throws InputError if the folder or the file cannot be written
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
