@@ -1,0 +1,167 @@
+#include "functional/geometry/linear_wedge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "functional/geometry/polyhedron.h"
+
+namespace wedgesim::functional {
+namespace {
+
+// An edge whose quad is seen from the light's centre under less than this sine has no sensible
+// front and back plane.
+constexpr double kPointsAtLight = 1e-3;
+// Side directions this far from the way of the light are replaced by a simpler construction.
+constexpr double kLeastForward = 0.2;
+
+struct EdgePlanes {
+  glm::dvec3 normal;          // of the shadow quad, unit, into the shadow
+  glm::dvec3 light_at_front;  // the point of the light its front plane touches
+  glm::dvec3 light_at_back;
+  glm::dvec4 front, back;  // unit normals, into the wedge
+};
+
+// The point of a light farthest along a direction, on the plane through the edge.
+glm::dvec3 extreme_point(const Light& light, const glm::dvec3& edge_begin,
+                         const glm::dvec3& edge_end, const glm::dvec3& normal, double sign) {
+  if (light.shape != LightShape::rectangle) return light.centre + sign * light.radius * normal;
+  // The corner whose plane through the edge leaves the others on one side: the best of the four.
+  glm::dvec3 best(0.0);
+  double best_beyond = 1e300;
+  for (const glm::dvec3& corner : light_corners(light)) {
+    const glm::dvec3 n = sign * glm::cross(edge_end - corner, edge_begin - corner);
+    const double length = glm::length(n);
+    if (length == 0.0) continue;
+    double beyond = -1e300;
+    for (const glm::dvec3& other : light_corners(light)) {
+      beyond = std::max(beyond, glm::dot(n / length, other - corner));
+    }
+    if (beyond < best_beyond) {
+      best_beyond = beyond;
+      best = corner;
+    }
+  }
+  return best;
+}
+
+EdgePlanes edge_planes(const Light& light, const glm::dvec3& begin, const glm::dvec3& end) {
+  EdgePlanes planes;
+  planes.normal = glm::normalize(glm::dvec3(quad_plane(light.centre, begin, end)));
+  planes.light_at_front = extreme_point(light, begin, end, planes.normal, 1.0);
+  planes.light_at_back = extreme_point(light, begin, end, planes.normal, -1.0);
+  const glm::dvec4 front = quad_plane(planes.light_at_front, begin, end);
+  const glm::dvec4 back = -quad_plane(planes.light_at_back, begin, end);
+  planes.front = front / glm::length(glm::dvec3(front));
+  planes.back = back / glm::length(glm::dvec3(back));
+  return planes;
+}
+
+bool points_at_light(const Light& light, const glm::dvec3& begin, const glm::dvec3& end) {
+  const glm::dvec3 a = begin - light.centre;
+  const glm::dvec3 b = end - light.centre;
+  const double edge = glm::length(b - a);
+  return edge == 0.0 || glm::length(glm::cross(a, b)) <
+                            kPointsAtLight * edge * std::max(glm::length(a), glm::length(b));
+}
+
+// One corner of the loop: the directions in which the front and back planes of its two edges meet,
+// and the side plane through both, with the edge that ends here on its positive side.
+struct Corner {
+  glm::dvec3 front, back;
+  glm::dvec4 side;
+  glm::dvec3 direction;  // in the side plane, across the penumbra (Paper I, 4.1)
+};
+
+glm::dvec3 meeting(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec3& away,
+                   const glm::dvec3& instead) {
+  glm::dvec3 direction = glm::cross(glm::dvec3(a), glm::dvec3(b));
+  const double length = glm::length(direction);
+  if (length < 1e-6) return glm::normalize(instead);
+  direction /= length;
+  if (glm::dot(direction, away) < 0.0) direction = -direction;
+  return glm::dot(direction, away) < kLeastForward ? glm::normalize(instead) : direction;
+}
+
+Corner corner_between(const EdgePlanes& ending, const EdgePlanes& starting, const glm::dvec3& at,
+                      const glm::dvec3& ending_begin, const glm::dvec3& light_centre) {
+  Corner corner;
+  const glm::dvec3 away = glm::normalize(at - light_centre);
+  corner.front = meeting(ending.front, starting.front, away,
+                         at - 0.5 * (ending.light_at_front + starting.light_at_front));
+  corner.back = meeting(ending.back, starting.back, away,
+                        at - 0.5 * (ending.light_at_back + starting.light_at_back));
+  glm::dvec3 normal = glm::cross(corner.front, corner.back);
+  if (glm::length(normal) < 1e-9) {
+    normal = glm::cross(away, ending.normal + starting.normal);
+  }
+  normal = glm::normalize(normal);
+  if (glm::dot(normal, ending_begin - at) < 0.0) normal = -normal;
+  corner.side = glm::dvec4(normal, -glm::dot(normal, at));
+  const glm::dvec3 across = ending.normal + starting.normal;
+  corner.direction = across - glm::dot(across, normal) * normal;
+  const double length = glm::length(corner.direction);
+  corner.direction =
+      length > 1e-9 ? corner.direction / length : glm::normalize(glm::cross(normal, away));
+  return corner;
+}
+
+double reciprocal(const glm::dvec4& plane, const glm::dvec3& direction) {
+  return 1.0 / std::max(std::abs(glm::dot(glm::dvec3(plane), direction)), 1e-12);
+}
+
+}  // namespace
+
+std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec3> loop,
+                                       const EndPlane& end_plane, const Bounds& box) {
+  for (std::size_t i = 0; loop.size() >= 3 && i < loop.size();) {
+    const std::size_t next = (i + 1) % loop.size();
+    if (points_at_light(light, loop[i], loop[next])) {
+      // Keep the end nearer to the light: its shadow is the larger.
+      const bool keep_first =
+          glm::distance(loop[i], light.centre) <= glm::distance(loop[next], light.centre);
+      loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(keep_first ? next : i));
+      i = 0;
+    } else {
+      ++i;
+    }
+  }
+  std::vector<LinearWedge> wedges;
+  const std::size_t n = loop.size();
+  if (n < 3) return wedges;
+  std::vector<EdgePlanes> planes;
+  for (std::size_t i = 0; i < n; ++i) {
+    planes.push_back(edge_planes(light, loop[i], loop[(i + 1) % n]));
+  }
+  std::vector<Corner> corners;  // at the begin of edge i
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t before = (i + n - 1) % n;
+    corners.push_back(
+        corner_between(planes[before], planes[i], loop[i], loop[before], light.centre));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    const Corner& left = corners[i];
+    const Corner& right = corners[next];
+    LinearWedge wedge;
+    wedge.begin = loop[i];
+    wedge.end = loop[next];
+    // The side plane at `begin` has the edge that ends there on its positive side: not this one.
+    const std::array<glm::dvec4, 5> sides{planes[i].front, planes[i].back, -left.side, right.side,
+                                          end_plane.plane};
+    wedge.volume = intersect_half_spaces(sides, box);
+    wedge.umbra = {wedge.end, wedge.begin, end_plane.reach(loop[i] - left.front, loop[i]),
+                   end_plane.reach(loop[next] - right.front, loop[next])};
+    const glm::dvec3 along = glm::normalize(wedge.end - wedge.begin);
+    wedge.factors = {reciprocal(planes[i].front, left.direction),
+                     reciprocal(planes[i].back, left.direction),
+                     reciprocal(planes[i].front, right.direction),
+                     reciprocal(planes[i].back, right.direction),
+                     reciprocal(left.side, along),
+                     reciprocal(right.side, along)};
+    wedges.push_back(std::move(wedge));
+  }
+  return wedges;
+}
+
+}  // namespace wedgesim::functional

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+
+#include "functional/geometry/extent.h"
+#include "functional/geometry/wedge.h"
+
+namespace wedgesim::functional {
+
+/// The convex polyhedron inside all planes (n·p + d ≥ 0) and inside a box. Faces on the box carry
+/// the box's planes, appended after the given ones where they are needed.
+/// \return no faces if nothing is inside
+WorldWedge intersect_half_spaces(std::span<const glm::dvec4> planes, const Bounds& box);
+
+}  // namespace wedgesim::functional

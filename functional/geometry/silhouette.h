@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "functional/scene/scene.h"
+
+namespace wedgesim::functional {
+
+/// A silhouette edge, directed so that the light-facing triangle is on its left as seen from the
+/// light; ends are vertices of the mesh.
+struct SilhouetteEdge {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+};
+
+struct Silhouette {
+  /// Closed loops: each edge ends where the next begins, the last where the first begins. Every
+  /// edge is in exactly one loop; loops may meet at vertices of degree 4 and more (Paper V).
+  std::vector<std::vector<SilhouetteEdge>> loops;
+  std::vector<bool> light_facing;  // of each triangle
+};
+
+/// The silhouette of a closed two-manifold mesh as seen from a point (Paper V: possible
+/// silhouettes). A triangle faces the point iff the point is strictly in front of it.
+Silhouette find_silhouette(const Mesh& mesh, const glm::dvec3& from);
+
+}  // namespace wedgesim::functional

@@ -1,0 +1,117 @@
+#include "functional/raster/clip.h"
+
+#include <array>
+#include <cmath>
+
+namespace wedgesim::functional {
+namespace {
+
+// Wide enough for a 16384-pixel frame, narrow enough that 24 bits and a sign hold 1/256 pixels.
+constexpr double kGuardLow = -32768.0;
+constexpr double kGuardHigh = 49152.0;
+
+// Inside iff dot(plane, homogeneous window point) >= 0.
+const std::array<glm::dvec4, 5> kClipPlanes{
+    glm::dvec4(0, 0, 1, 0), glm::dvec4(1, 0, 0, -kGuardLow), glm::dvec4(-1, 0, 0, kGuardHigh),
+    glm::dvec4(0, 1, 0, -kGuardLow), glm::dvec4(0, -1, 0, kGuardHigh)};
+
+double distance(const glm::dvec4& plane, const glm::dvec4& p) {
+  return plane.x * p.x + plane.y * p.y + plane.z * p.z + plane.w * p.w;
+}
+
+void clip(const glm::dvec4& plane, std::vector<glm::dvec4>& polygon,
+          std::vector<glm::dvec4>& scratch) {
+  scratch.clear();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec4& from = polygon[i];
+    const glm::dvec4& to = polygon[(i + 1) % polygon.size()];
+    const double d_from = distance(plane, from);
+    const double d_to = distance(plane, to);
+    if (d_from >= 0.0) scratch.push_back(from);
+    if ((d_from >= 0.0) != (d_to >= 0.0)) {
+      // Always from the inside to the outside end, so that a shared edge is cut once.
+      const bool leaving = d_from >= 0.0;
+      const glm::dvec4& in = leaving ? from : to;
+      const glm::dvec4& out = leaving ? to : from;
+      const double d_in = leaving ? d_from : d_to;
+      const double d_out = leaving ? d_to : d_from;
+      scratch.push_back(in + (d_in / (d_in - d_out)) * (out - in));
+    }
+  }
+  polygon.swap(scratch);
+}
+
+}  // namespace
+
+std::vector<WindowPoint> clip_to_window(const Window& window, std::span<const glm::dvec3> polygon) {
+  std::vector<glm::dvec4> points;
+  points.reserve(polygon.size() + 5);
+  for (const glm::dvec3& p : polygon) {
+    points.push_back(window.window_from_world * glm::dvec4(p, 1.0));
+  }
+  std::vector<glm::dvec4> scratch;
+  for (const glm::dvec4& plane : kClipPlanes) {
+    for (const glm::dvec4& p : points) {
+      if (distance(plane, p) < 0.0) {
+        clip(plane, points, scratch);
+        break;
+      }
+    }
+    if (points.size() < 3) return {};
+  }
+  std::vector<WindowPoint> result;
+  result.reserve(points.size());
+  for (const glm::dvec4& p : points) result.emplace_back(glm::dvec3(p) / p.w);
+  return result;
+}
+
+SnappedPoint snap(const WindowPoint& point) {
+  return {static_cast<std::int32_t>(std::nearbyint(point.x * 256.0)),
+          static_cast<std::int32_t>(std::nearbyint(point.y * 256.0)), point.z};
+}
+
+std::vector<SnappedPoint> snap(std::span<const WindowPoint> points) {
+  std::vector<SnappedPoint> result;
+  result.reserve(points.size());
+  for (const WindowPoint& p : points) result.push_back(snap(p));
+  return result;
+}
+
+std::int64_t doubled_area(std::span<const SnappedPoint> polygon) {
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const SnappedPoint& p = polygon[i];
+    const SnappedPoint& q = polygon[(i + 1) % polygon.size()];
+    sum += std::int64_t{p.x} * q.y - std::int64_t{q.x} * p.y;
+  }
+  return sum;
+}
+
+bool is_convex(std::span<const SnappedPoint> polygon) {
+  if (polygon.size() <= 3) return true;
+  bool left = false;
+  bool right = false;
+  int x_turns = 0;  // a convex outline goes through x monotonically twice
+  int last_sign = 0;
+  int first_sign = 0;
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const SnappedPoint& a = polygon[i];
+    const SnappedPoint& b = polygon[(i + 1) % n];
+    const SnappedPoint& c = polygon[(i + 2) % n];
+    const std::int64_t turn = (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - b.y) -
+                              (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - b.x);
+    left |= turn > 0;
+    right |= turn < 0;
+    // Lexicographic direction of the edge: two changes around a convex outline, more otherwise.
+    const int sign = b.x != a.x ? (b.x > a.x ? 1 : -1) : (b.y > a.y ? 1 : (b.y < a.y ? -1 : 0));
+    if (sign == 0) continue;
+    if (last_sign != 0 && sign != last_sign) ++x_turns;
+    if (first_sign == 0) first_sign = sign;
+    last_sign = sign;
+  }
+  if (last_sign != first_sign) ++x_turns;
+  return !(left && right) && x_turns <= 2;
+}
+
+}  // namespace wedgesim::functional

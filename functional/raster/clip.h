@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "functional/raster/window.h"
+
+namespace wedgesim::functional {
+
+/// A window vertex before snapping: pixels and window depth.
+using WindowPoint = glm::dvec3;
+
+/// A vertex snapped to 1/256 pixel; z is its depth before snapping.
+struct SnappedPoint {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  double z = 0.0;
+  bool operator==(const SnappedPoint&) const = default;
+};
+
+/// Clips a convex world polygon to the near plane and to a guard band around the frame, and
+/// projects it. The far plane does not clip. Two polygons that share an edge get the same bits for
+/// its clip vertices, whichever way round they name it.
+/// \return window points in order around the outline; fewer than 3 if nothing is left
+std::vector<WindowPoint> clip_to_window(const Window& window, std::span<const glm::dvec3> polygon);
+
+/// Rounds to the nearest 1/256 pixel.
+SnappedPoint snap(const WindowPoint& point);
+std::vector<SnappedPoint> snap(std::span<const WindowPoint> points);
+
+/// Twice the signed area in (1/256 pixel)², y down: negative when the outline is seen
+/// counter-clockwise, that is when a polygon wound counter-clockwise outside faces the eye.
+std::int64_t doubled_area(std::span<const SnappedPoint> polygon);
+
+/// True if no corner of the snapped outline turns against the others.
+bool is_convex(std::span<const SnappedPoint> polygon);
+
+}  // namespace wedgesim::functional
