@@ -29,7 +29,7 @@ struct Light {
   glm::dvec3 centre{0.0};
   glm::dvec3 half_u{0.0};  // rectangle: half axes, orthogonal; it shines along half_u × half_v
   glm::dvec3 half_v{0.0};
-  double radius = 0.0;     // sphere
+  double radius = 0.0;  // sphere
   glm::dvec3 colour{1.0};
 };
 
@@ -46,6 +46,8 @@ struct Camera {
 struct Scene {
   std::string name;
   std::string description;
+  int frame = 0;   // of the camera path
+  int frames = 1;  // how many frames the camera path has
   int width = 640;
   int height = 427;
   Camera camera;

@@ -1,0 +1,13 @@
+# Writes built_in.cpp from scene files: cmake -DOUTPUT=built_in.cpp "-DFILES=a.toml,b.toml" -P this
+string(REPLACE "," ";" FILES "${FILES}")
+set(body "// Generated from traces/scenes/*.toml by functional/scene/embed_scenes.cmake; do not edit.\n")
+string(APPEND body "#include \"functional/scene/built_in.h\"\n\nnamespace wedgesim::functional {\n")
+string(APPEND body "namespace {\nconstexpr BuiltInFile kFiles[] = {\n")
+foreach(file ${FILES})
+  get_filename_component(name ${file} NAME_WE)
+  file(READ ${file} text)
+  string(APPEND body "    {\"${name}\", R\"toml(${text})toml\"},\n")
+endforeach()
+string(APPEND body "};\n}  // namespace\n\n")
+string(APPEND body "std::span<const BuiltInFile> built_in_files() { return kFiles; }\n\n}  // namespace wedgesim::functional\n")
+file(WRITE ${OUTPUT} "${body}")

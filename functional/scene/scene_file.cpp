@@ -1,0 +1,164 @@
+#include "functional/scene/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <iterator>
+
+#include "base/error.h"
+#include "functional/scene/built_in.h"
+#include "functional/scene/camera_path.h"
+#include "functional/scene/light_file.h"
+#include "functional/scene/scene_check.h"
+#include "functional/scene/scene_objects.h"
+#include "functional/scene/toml_table.h"
+
+namespace wedgesim::functional {
+namespace {
+
+constexpr int kMaxPixels = 16384;  // each way
+
+struct Source {
+  std::string name;   // of the scene
+  std::string place;  // the file as users know it
+  std::filesystem::path folder;
+  std::string text;
+};
+
+struct CameraFile {
+  Camera camera;
+  std::vector<CameraKey> keys;
+  Interpolation interpolation = Interpolation::catmull_rom;
+};
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream || std::filesystem::is_directory(path)) {
+    throw InputError(path.string(), "cannot be read", "a scene file");
+  }
+  return text;
+}
+
+Source find_source(const std::string& name_or_file) {
+  for (const BuiltInFile& file : built_in_files()) {
+    if (file.name == name_or_file) {
+      const std::string name(file.name);
+      return {name, name + ".toml", {}, std::string(file.text)};
+    }
+  }
+  const std::filesystem::path path(name_or_file);
+  if (path.extension() != ".toml" && !path.has_parent_path()) {
+    std::string known;
+    for (const BuiltInFile& file : built_in_files()) {
+      known += fmt::format("{}, ", file.name);
+    }
+    throw InputError(name_or_file, "no such scene", known + "or a .toml file");
+  }
+  return {path.stem().string(), path.string(), path.parent_path(), read_text(path)};
+}
+
+CameraFile read_camera(const TomlTable& table) {
+  CameraFile file;
+  Camera& camera = file.camera;
+  camera.up = table.vec3("up", camera.up);
+  camera.field_of_view_degrees =
+      table.number("field_of_view", camera.field_of_view_degrees, {1.0, 170.0});
+  camera.near_plane = table.number("near", camera.near_plane, Range::size());
+  camera.far_plane = table.number("far", camera.far_plane, Range::size());
+  if (camera.far_plane <= camera.near_plane) {
+    table.fail("far", "is not beyond 'near'", "near < far");
+  }
+  const std::string way = table.text("interpolation", "catmull-rom");
+  if (way != "linear" && way != "catmull-rom") {
+    table.fail("interpolation", fmt::format("is '{}'", way), "linear or catmull-rom");
+  }
+  file.interpolation = way == "linear" ? Interpolation::linear : Interpolation::catmull_rom;
+  for (const TomlTable& key : table.tables("key")) {
+    file.keys.push_back({key.vec3("eye"), key.vec3("target"), key.integer("frames", 0, 0, 100000)});
+    key.reject_unknown();
+  }
+  if (file.keys.empty()) {
+    camera.eye = table.vec3("eye");
+    camera.target = table.vec3("target");
+  }
+  table.reject_unknown();
+  return file;
+}
+
+void check_camera(const Camera& camera, const std::string& place) {
+  const glm::dvec3 view = camera.target - camera.eye;
+  if (!(glm::length(glm::cross(view, camera.up)) > 1e-9 * glm::length(camera.up))) {
+    throw InputError(place, "the camera has no direction, or looks along 'up'",
+                     "eye, target and up that span a plane");
+  }
+}
+
+void set_frame(Scene& scene, const CameraFile& file, int frame, const std::string& place) {
+  scene.frames = frame_count(file.keys);
+  if (frame < 0 || frame >= scene.frames) {
+    throw InputError("--frame", fmt::format("{} has no frame {}", scene.name, frame),
+                     fmt::format("0 to {}", scene.frames - 1));
+  }
+  scene.frame = frame;
+  scene.camera = camera_at(file.camera, file.keys, file.interpolation, frame);
+  check_camera(scene.camera, place);
+}
+
+void set_size(Scene& scene, const TomlTable& table, const SceneOptions& options) {
+  const glm::dvec2 size = table.vec2("size", glm::dvec2(scene.width, scene.height),
+                                     {1.0, static_cast<double>(kMaxPixels)});
+  if (size.x != std::floor(size.x) || size.y != std::floor(size.y)) {
+    table.fail("size", "is not whole", "pixels [width, height]");
+  }
+  scene.width = static_cast<int>(size.x);
+  scene.height = static_cast<int>(size.y);
+  if (options.size) {
+    const auto [width, height] = *options.size;
+    if (width < 1 || height < 1 || width > kMaxPixels || height > kMaxPixels) {
+      throw InputError("--size", fmt::format("{}x{}", width, height),
+                       fmt::format("1 to {} pixels each way", kMaxPixels));
+    }
+    scene.width = width;
+    scene.height = height;
+  }
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
+                 std::vector<std::string>* notes) {
+  const Source source = find_source(name_or_file);
+  const toml::table root = parse_toml(source.text, source.place);
+  const TomlTable table(root, source.place);
+  Scene scene;
+  scene.name = source.name;
+  scene.description = table.text("description");
+  set_size(scene, table, options);
+  const TomlTable camera_table = table.table("camera");
+  set_frame(scene, read_camera(camera_table), options.frame, camera_table.place());
+  const LightFile light = read_light(table.table("light"));
+  scene.light = options.light_shape ? reshaped(light, *options.light_shape) : light.light;
+  const ObjectContext context{source.folder, options.mesh, options.repair, notes};
+  for (const TomlTable& object : table.tables("object")) {
+    std::ranges::move(read_objects(object, context), std::back_inserter(scene.objects));
+  }
+  table.reject_unknown();
+  check_scene(scene, source.place);
+  return scene;
+}
+
+std::vector<SceneInfo> built_in_scenes() {
+  std::vector<SceneInfo> infos;
+  for (const BuiltInFile& file : built_in_files()) {
+    const toml::table root = parse_toml(file.text, std::string(file.name));
+    const TomlTable table(root, std::string(file.name));
+    infos.push_back({std::string(file.name), table.text("description"),
+                     frame_count(read_camera(table.table("camera")).keys)});
+  }
+  return infos;
+}
+
+}  // namespace wedgesim::functional

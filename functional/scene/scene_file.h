@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "functional/scene/scene.h"
+
+namespace wedgesim::functional {
+
+/// What the command line may change in a scene.
+struct SceneOptions {
+  std::optional<std::pair<int, int>> size;    // pixels, 1 to 16384 each way
+  int frame = 0;                              // of the camera path
+  std::optional<std::filesystem::path> mesh;  // takes the place of the object with shape = "user"
+  bool repair = false;                        // repair every caster that is not closed
+  /// Turns the light into another shape: a sphere of radius (|half_u| + |half_v|) / 2, a square of
+  /// half axes as long as the radius that faces the light's target, or its centre alone.
+  std::optional<LightShape> light_shape;
+};
+
+struct SceneInfo {
+  std::string name;
+  std::string description;
+  int frames = 1;  // of the camera path
+};
+
+/// Reads one frame of a scene; docs/scenes.md describes the format. Casters come out welded (equal
+/// positions are one vertex) and checked; the whole scene is checked (scene_check.h).
+/// \param name_or_file  a built-in name, or a TOML file if it ends in .toml or names a folder
+/// \param notes         may be null; gets a line for each thing that a repair did
+/// \throws InputError   for anything wrong with the file, its meshes or the options
+Scene load_scene(const std::string& name_or_file, const SceneOptions& options = {},
+                 std::vector<std::string>* notes = nullptr);
+
+/// The scenes inside the program, by name.
+std::vector<SceneInfo> built_in_scenes();
+
+}  // namespace wedgesim::functional
