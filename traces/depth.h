@@ -13,9 +13,12 @@ namespace wedgesim::traces {
 inline std::uint32_t encode_depth(fb::DepthFormat format, double z) {
   z = z < 0.0 ? 0.0 : (z > 1.0 ? 1.0 : z);
   switch (format) {
-    case fb::DepthFormat_unorm24: return static_cast<std::uint32_t>(std::nearbyint(z * 16777215.0));
-    case fb::DepthFormat_unorm16: return static_cast<std::uint32_t>(std::nearbyint(z * 65535.0));
-    case fb::DepthFormat_float32: return std::bit_cast<std::uint32_t>(static_cast<float>(z));
+    case fb::DepthFormat_unorm24:
+      return static_cast<std::uint32_t>(std::nearbyint(z * 16777215.0));
+    case fb::DepthFormat_unorm16:
+      return static_cast<std::uint32_t>(std::nearbyint(z * 65535.0));
+    case fb::DepthFormat_float32:
+      return std::bit_cast<std::uint32_t>(static_cast<float>(z));
     case fb::DepthFormat_float32_reversed:
       return std::bit_cast<std::uint32_t>(static_cast<float>(1.0 - z));
   }
@@ -25,9 +28,12 @@ inline std::uint32_t encode_depth(fb::DepthFormat format, double z) {
 /// The window depth of a stored word: [0, 1], 0 near.
 inline double decode_depth(fb::DepthFormat format, std::uint32_t word) {
   switch (format) {
-    case fb::DepthFormat_unorm24: return word / 16777215.0;
-    case fb::DepthFormat_unorm16: return word / 65535.0;
-    case fb::DepthFormat_float32: return static_cast<double>(std::bit_cast<float>(word));
+    case fb::DepthFormat_unorm24:
+      return word / 16777215.0;
+    case fb::DepthFormat_unorm16:
+      return word / 65535.0;
+    case fb::DepthFormat_float32:
+      return static_cast<double>(std::bit_cast<float>(word));
     case fb::DepthFormat_float32_reversed:
       return 1.0 - static_cast<double>(std::bit_cast<float>(word));
   }

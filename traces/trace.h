@@ -65,9 +65,9 @@ struct TraceView {
   std::span<const fb::Face> faces;
   std::span<const fb::Wedge> wedges;
   std::span<const fb::UmbraPolygon> umbra_polygons;
-  std::span<const std::uint32_t> depth;      // (height, width) stored words
-  std::span<const double> expected_li;       // (height, width) or empty
-  std::span<const float> li_sensitivity;     // (height, width) or empty
+  std::span<const std::uint32_t> depth;   // (height, width) stored words
+  std::span<const double> expected_li;    // (height, width) or empty
+  std::span<const float> li_sensitivity;  // (height, width) or empty
 };
 
 /// A trace to make.
@@ -84,8 +84,8 @@ struct Trace {
   std::vector<float> li_sensitivity;
 
   TraceView view() const {
-    return {header, vertices, indices, planes, faces, wedges, umbra_polygons,
-            depth,  expected_li, li_sensitivity};
+    return {header, vertices,       indices, planes,      faces,
+            wedges, umbra_polygons, depth,   expected_li, li_sensitivity};
   }
 };
 
