@@ -1,0 +1,162 @@
+#include "functional/light/coverage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace wedgesim::functional {
+namespace {
+
+using Segment = std::pair<glm::dvec2, glm::dvec2>;
+
+double cross_2d(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+// The part of an edge in front of the point: a·t + b stays above the smallest positive share.
+struct Interval {
+  double low = 0.0;
+  double high = 1.0;
+  // Keeps t with from + t·(to − from) ≥ 0.
+  void keep(double from, double to) {
+    if (from < 0.0 && to < 0.0) {
+      high = -1.0;
+    } else if (from < 0.0) {
+      low = std::max(low, from / (from - to));
+    } else if (to < 0.0) {
+      high = std::min(high, from / (from - to));
+    }
+  }
+  bool empty() const { return !(low < high); }
+};
+
+// Where the ray from the centre through q leaves the square [−1, 1]².
+glm::dvec2 square_exit(const glm::dvec2& q) {
+  const double reach = std::max(std::abs(q.x), std::abs(q.y));
+  return reach > 0.0 ? q / reach : glm::dvec2(1.0, 0.0);
+}
+
+// Which side of the square a point of its outline is on: 0 right, 1 top, 2 left, 3 bottom.
+int square_side(const glm::dvec2& p) {
+  if (std::abs(p.x) >= std::abs(p.y)) return p.x > 0.0 ? 0 : 2;
+  return p.y > 0.0 ? 1 : 3;
+}
+
+}  // namespace
+
+glm::dmat4 light_from_world(const Light& light) {
+  glm::dmat4 m(1.0);
+  std::array<glm::dvec3, 3> rows{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+  if (light.shape == LightShape::rectangle) {
+    const glm::dvec3 normal = glm::normalize(glm::cross(light.half_u, light.half_v));
+    rows = {light.half_u / glm::dot(light.half_u, light.half_u),
+            light.half_v / glm::dot(light.half_v, light.half_v), normal};
+  } else if (light.shape == LightShape::sphere && light.radius > 0.0) {
+    for (glm::dvec3& row : rows) row /= light.radius;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec3& row = rows[static_cast<std::size_t>(i)];
+    for (int j = 0; j < 3; ++j) m[j][i] = row[j];
+    m[3][i] = -glm::dot(row, light.centre);
+  }
+  return m;
+}
+
+double rectangle_coverage(const glm::dvec3& point, const glm::dvec3& begin, const glm::dvec3& end) {
+  // Project e from p: (p.h·e − e.h·p) / (p.h − e.h), kept as numerator and denominator.
+  const auto project = [&](const glm::dvec3& e) {
+    return glm::dvec3(point.z * e.x - e.z * point.x, point.z * e.y - e.z * point.y, point.z - e.z);
+  };
+  const glm::dvec3 a = project(begin);
+  const glm::dvec3 b = project(end);
+  Interval inside;
+  inside.keep(a.z - a.x, b.z - b.x);
+  inside.keep(a.z + a.x, b.z + b.x);
+  inside.keep(a.z - a.y, b.z - b.y);
+  inside.keep(a.z + a.y, b.z + b.y);
+  if (inside.empty()) return 0.0;
+  const auto at = [&](double t) {
+    const glm::dvec3 h = a + t * (b - a);
+    return h.z > 0.0 ? glm::dvec2(h) / h.z : glm::dvec2(0.0);
+  };
+  glm::dvec2 p = at(inside.low);
+  glm::dvec2 q = at(inside.high);
+  if (cross_2d(p, q) < 0.0) std::swap(p, q);
+  // Outline: p, q, where q's ray leaves the square, the corners up to where p's ray leaves it.
+  std::vector<glm::dvec2> outline{p, q, square_exit(q)};
+  const glm::dvec2 last = square_exit(p);
+  constexpr std::array<std::array<double, 2>, 4> kCorner{{{1, -1}, {1, 1}, {-1, 1}, {-1, -1}}};
+  // From q's exit clockwise to p's exit: the lower corner of each side passed.
+  const int target = square_side(last);
+  for (int side = square_side(outline.back()); side != target; side = (side + 3) % 4) {
+    const auto& corner = kCorner[static_cast<std::size_t>(side)];
+    outline.emplace_back(corner[0], corner[1]);
+  }
+  outline.push_back(last);
+  double doubled = 0.0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    doubled += cross_2d(outline[i], outline[(i + 1) % outline.size()]);
+  }
+  return std::min(0.5, std::abs(doubled) / 8.0);
+}
+
+double sphere_coverage(const glm::dvec3& point, const glm::dvec3& begin, const glm::dvec3& end) {
+  const double distance_squared = glm::dot(point, point);
+  if (!(distance_squared > 1.0)) return 0.0;
+  const double distance = std::sqrt(distance_squared);
+  const glm::dvec3 axis = -point / distance;
+  const double tan_half = 1.0 / std::sqrt(distance_squared - 1.0);
+  const glm::dvec3 helper =
+      std::abs(axis.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+  const glm::dvec3 u = glm::normalize(glm::cross(axis, helper));
+  const glm::dvec3 v = glm::cross(axis, u);
+  const auto in_cone = [&](const glm::dvec3& e) {
+    const glm::dvec3 d = e - point;
+    return glm::dvec3(glm::dot(d, u), glm::dot(d, v), tan_half * glm::dot(d, axis));
+  };
+  glm::dvec3 a = in_cone(begin);
+  glm::dvec3 b = in_cone(end);
+  // In front of the point: the cone's own apex side.
+  Interval front;
+  const double least = 1e-12 * std::max(std::abs(a.z), std::abs(b.z));
+  front.keep(a.z - least, b.z - least);
+  if (front.empty()) return 0.0;
+  const glm::dvec3 from = a;
+  const glm::dvec3 step = b - a;
+  a = from + front.low * step;
+  b = from + front.high * step;
+  const glm::dvec2 p = glm::dvec2(a) / a.z;
+  const glm::dvec2 q = glm::dvec2(b) / b.z;
+  // |p + s (q − p)| = 1.
+  const glm::dvec2 d = q - p;
+  const double dd = glm::dot(d, d);
+  const double pd = glm::dot(p, d);
+  const double root = pd * pd - dd * (glm::dot(p, p) - 1.0);
+  if (!(root > 0.0) || dd == 0.0) return 0.0;
+  const double s_low = std::max(0.0, (-pd - std::sqrt(root)) / dd);
+  const double s_high = std::min(1.0, (-pd + std::sqrt(root)) / dd);
+  if (!(s_low < s_high)) return 0.0;
+  const glm::dvec2 c0 = p + s_low * d;
+  const glm::dvec2 c1 = p + s_high * d;
+  const double triangle = std::abs(cross_2d(c0, c1));
+  const double sector = std::abs(std::atan2(cross_2d(c0, c1), glm::dot(c0, c1)));
+  return std::clamp((sector - triangle) / (2.0 * M_PI), 0.0, 0.5);
+}
+
+double coverage(LightShape shape, const glm::dvec3& point, const glm::dvec3& begin,
+                const glm::dvec3& end) {
+  switch (shape) {
+    case LightShape::rectangle:
+      return rectangle_coverage(point, begin, end);
+    case LightShape::sphere:
+      return sphere_coverage(point, begin, end);
+    case LightShape::point:
+      return 0.0;
+  }
+  return 0.0;
+}
+
+}  // namespace wedgesim::functional

@@ -1,0 +1,85 @@
+#include "functional/methods/frame.h"
+
+#include "base/error.h"
+#include "functional/light/coverage.h"
+#include "functional/methods/light_intensity.h"
+
+namespace wedgesim::functional {
+namespace {
+
+namespace fb = traces::fb;
+
+fb::Vec3 to_fb(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+fb::Matrix4 to_fb(const glm::dmat4& m) {
+  std::array<double, 16> columns{};
+  for (int c = 0; c < 4; ++c) {
+    for (int r = 0; r < 4; ++r) columns[static_cast<std::size_t>(4 * c + r)] = m[c][r];
+  }
+  return fb::Matrix4(columns);
+}
+
+fb::LightShape to_fb(LightShape shape) {
+  switch (shape) {
+    case LightShape::point:
+      return fb::LightShape_point;
+    case LightShape::rectangle:
+      return fb::LightShape_rectangle;
+    case LightShape::sphere:
+      return fb::LightShape_sphere;
+  }
+  return fb::LightShape_point;
+}
+
+void fill_header(const Scene& scene, const Window& window, const FrameOptions& options,
+                 traces::Header& header) {
+  header.name = scene.name;
+  header.width = static_cast<std::uint32_t>(window.width);
+  header.height = static_cast<std::uint32_t>(window.height);
+  header.camera.eye = to_fb(window.eye);
+  for (std::size_t i = 0; i < 4; ++i) {
+    header.camera.near_rectangle[i] = to_fb(window.near_rectangle[i]);
+  }
+  header.camera.window_from_world = to_fb(window.window_from_world);
+  header.camera.world_from_window = to_fb(window.world_from_window);
+  traces::Light light;
+  light.shape = to_fb(scene.light.shape);
+  light.centre = to_fb(scene.light.centre);
+  light.half_u = to_fb(scene.light.half_u);
+  light.half_v = to_fb(scene.light.half_v);
+  light.radius = scene.light.radius;
+  light.colour = to_fb(scene.light.colour);
+  light.light_from_window = to_fb(light_from_world(scene.light) * window.world_from_window);
+  header.lights.push_back(std::move(light));
+  header.depth_format = options.depth_format;
+}
+
+}  // namespace
+
+Frame make_frame(const Scene& scene, const FrameOptions& options) {
+  Frame frame;
+  frame.window = make_window(scene.camera, scene.width, scene.height);
+  frame.depth = render_depth(frame.window, scene.objects, options.depth_format);
+  fill_header(scene, frame.window, options, frame.trace.header);
+  frame.geometry =
+      build_shadow_geometry(scene, frame.window, options.kind, options.length, frame.trace);
+  frame.trace.depth = frame.depth.words;
+
+  const bool needs_fail = frame.trace.header.z_fail_needed;
+  const fb::ZMethod method =
+      options.z_method.value_or(needs_fail ? fb::ZMethod_fail : fb::ZMethod_pass);
+  if (needs_fail && method == fb::ZMethod_pass) {
+    throw InputError(scene.name, "z-pass is wrong where a shadow volume meets the near pyramid",
+                     "z-fail or auto");
+  }
+  frame.trace.header.expected_z_method = method;
+  if (options.expected_li) {
+    LightIntensity light = evaluate_light_intensity(scene, frame.window, frame.depth,
+                                                    frame.geometry, frame.trace, method);
+    frame.trace.expected_li = std::move(light.li);
+    frame.trace.li_sensitivity = std::move(light.sensitivity);
+  }
+  return frame;
+}
+
+}  // namespace wedgesim::functional

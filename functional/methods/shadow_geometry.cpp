@@ -1,0 +1,239 @@
+#include "functional/methods/shadow_geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "base/error.h"
+#include "functional/geometry/linear_wedge.h"
+#include "functional/geometry/near_pyramid.h"
+#include "functional/geometry/screen_builder.h"
+#include "functional/geometry/segment.h"
+#include "functional/geometry/silhouette.h"
+#include "functional/light/coverage.h"
+
+namespace wedgesim::functional {
+namespace {
+
+namespace fb = traces::fb;
+
+bool has_extent(const Light& light) {
+  switch (light.shape) {
+    case LightShape::rectangle:
+      return glm::length(light.half_u) > 0.0 && glm::length(light.half_v) > 0.0;
+    case LightShape::sphere:
+      return light.radius > 0.0;
+    case LightShape::point:
+      return false;
+  }
+  return false;
+}
+
+void check_light_is_clear(const Mesh& mesh, const Light& light, const glm::dmat4& to_light) {
+  for (const glm::dvec3& p : mesh.positions) {
+    const glm::dvec3 q(to_light * glm::dvec4(p, 1.0));
+    const bool clear = light.shape == LightShape::rectangle ? q.z > 0.0
+                       : light.shape == LightShape::sphere  ? glm::dot(q, q) > 1.0
+                                                            : glm::dot(q, q) > 0.0;
+    if (!clear) {
+      throw InputError(
+          mesh.name,
+          fmt::format("vertex ({:.6g}, {:.6g}, {:.6g}) is not clear of the light", p.x, p.y, p.z),
+          light.shape == LightShape::rectangle ? "casters in front of the rectangle's plane"
+                                               : "casters outside the light");
+    }
+  }
+}
+
+fb::Vec3 to_fb(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+class Builder {
+ public:
+  Builder(const Scene& scene, const Window& window, fb::WedgeKind kind,
+          std::optional<double> length, traces::Trace& trace)
+      : light_(scene.light),
+        kind_(kind),
+        length_(length),
+        trace_(trace),
+        screen_(window, trace),
+        pyramid_(window),
+        to_light_(light_from_world(scene.light)),
+        bounds_(bounds_of(scene.objects)),
+        soft_(has_extent(scene.light)) {
+    geometry_.kind = kind;
+  }
+
+  void add_caster(const Mesh& mesh) {
+    check_light_is_clear(mesh, light_, to_light_);
+    caster_ = static_cast<std::uint32_t>(trace_.header.casters.size());
+    trace_.header.casters.push_back(
+        {mesh.name, static_cast<std::uint32_t>(mesh.triangles.size()), false});
+    const Silhouette silhouette = find_silhouette(mesh, light_.centre);
+    if (silhouette.loops.empty()) return;
+    const EndPlane end_plane = choose_end_plane(mesh, silhouette, light_, bounds_, length_);
+    for (const auto& loop : silhouette.loops) {
+      std::vector<glm::dvec3> corners;
+      for (const SilhouetteEdge& edge : loop) corners.push_back(mesh.positions[edge.begin]);
+      if (soft_ && kind_ == fb::WedgeKind_linear) {
+        add_linear_loop(corners, end_plane);
+      } else {
+        add_loop(corners, end_plane);
+      }
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (!silhouette.light_facing[t]) continue;
+      const auto& c = mesh.triangles[t];
+      add_umbra({mesh.positions[c[0]], mesh.positions[c[1]], mesh.positions[c[2]]}, glm::dvec4(0.0),
+                traces::kNone, fb::UmbraRole_cap);
+    }
+  }
+
+  ShadowGeometry take() { return std::move(geometry_); }
+
+ private:
+  void add_loop(const std::vector<glm::dvec3>& corners, const EndPlane& end_plane) {
+    std::vector<glm::dvec3> far;
+    for (const glm::dvec3& p : corners) far.push_back(end_plane.reach(light_.centre, p));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::size_t j = (i + 1) % corners.size();
+      ShadowWedge shadow;
+      shadow.begin = corners[i];
+      shadow.end = corners[j];
+      const glm::dvec4 quad = quad_plane(light_.centre, shadow.begin, shadow.end);
+      std::uint32_t wedge = traces::kNone;
+      if (soft_) {
+        wedge =
+            add_wedge(coverage_wedge(light_, shadow.begin, shadow.end, end_plane), quad, shadow);
+      }
+      add_umbra({corners[j], corners[i], far[i], far[j]}, quad, wedge, fb::UmbraRole_side);
+    }
+    add_bottoms(far, end_plane);
+  }
+
+  void add_linear_loop(const std::vector<glm::dvec3>& corners, const EndPlane& end_plane) {
+    Bounds box = bounds_;
+    box.grow(light_.centre);
+    const double reach = 4.0 * box.diagonal();
+    box.low -= reach;
+    box.high += reach;
+    std::vector<glm::dvec3> far;
+    for (const LinearWedge& linear : linear_wedges(light_, corners, end_plane, box)) {
+      ShadowWedge shadow;
+      shadow.begin = linear.begin;
+      shadow.end = linear.end;
+      shadow.factors = linear.factors;
+      const glm::dvec4 front = linear.volume.planes[0];
+      const std::uint32_t wedge = add_wedge(linear.volume, front, shadow);
+      add_umbra({linear.umbra.begin(), linear.umbra.end()}, front, wedge, fb::UmbraRole_side);
+      far.push_back(linear.umbra[2]);
+    }
+    add_bottoms(far, end_plane);
+  }
+
+  // The end of a volume: a fan over the far corners of its loop, all in the end plane.
+  void add_bottoms(const std::vector<glm::dvec3>& far, const EndPlane& end_plane) {
+    for (std::size_t i = 1; i + 1 < far.size(); ++i) {
+      add_umbra({far[0], far[i + 1], far[i]}, end_plane.plane, traces::kNone, fb::UmbraRole_bottom);
+    }
+  }
+
+  void need_z_fail() {
+    trace_.header.casters[caster_].z_fail_needed = true;
+    trace_.header.z_fail_needed = true;
+  }
+
+  // The eye sees the light's centre through a light-facing triangle.
+  bool eye_in_umbra(const Mesh& mesh, const Silhouette& silhouette) const {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& c = mesh.triangles[t];
+      if (silhouette.light_facing[t] &&
+          segment_triangle(pyramid_.eye(), light_.centre, mesh.positions[c[0]],
+                           mesh.positions[c[1]], mesh.positions[c[2]])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::uint32_t add_wedge(const WorldWedge& volume, const glm::dvec4& umbra_plane,
+                          ShadowWedge shadow) {
+    if (!volume.faces.empty() && pyramid_.may_meet(volume)) need_z_fail();
+    fb::Wedge wedge;
+    if (volume.faces.empty() || !screen_.add_faces(volume, wedge)) {
+      if (volume.faces.empty()) ++geometry_.degenerate_wedges;
+      return traces::kNone;
+    }
+    shadow.light_begin = glm::dvec3(to_light_ * glm::dvec4(shadow.begin, 1.0));
+    shadow.light_end = glm::dvec3(to_light_ * glm::dvec4(shadow.end, 1.0));
+    shadow.umbra_plane = SidedPlane(umbra_plane);
+    for (std::size_t i = 0; i < std::min(volume.planes.size(), kMaxPlanes); ++i) {
+      shadow.planes.emplace_back(volume.planes[i]);
+    }
+    const auto index = static_cast<std::uint32_t>(trace_.wedges.size());
+    wedge.mutate_kind(kind_);
+    wedge.mutate_umbra(traces::kNone);
+    wedge.mutate_umbra_plane(screen_.plane_reference(umbra_plane));
+    wedge.mutate_caster(caster_);
+    wedge.mutable_edge_begin() = to_fb(shadow.light_begin);
+    wedge.mutable_edge_end() = to_fb(shadow.light_end);
+    for (std::size_t i = 0; i < shadow.factors.size(); ++i) {
+      wedge.mutable_linear_factors()->Mutate(static_cast<flatbuffers::uoffset_t>(i),
+                                             shadow.factors[i]);
+    }
+    trace_.wedges.push_back(wedge);
+    geometry_.wedges.push_back(std::move(shadow));
+    return index;
+  }
+
+  void add_umbra(const std::vector<glm::dvec3>& outline, const glm::dvec4& plane,
+                 std::uint32_t wedge, fb::UmbraRole role) {
+    const std::uint32_t reference = role == fb::UmbraRole_cap ? 0 : screen_.plane_reference(plane);
+    const std::uint32_t polygon =
+        screen_.add_umbra_polygon(outline, reference, wedge, caster_, role);
+    if (pyramid_.meets(outline)) need_z_fail();
+    geometry_.umbra_planes.resize(trace_.umbra_polygons.size(), SidedPlane(plane));
+    if (wedge != traces::kNone && polygon != traces::kNone) {
+      trace_.wedges[wedge].mutate_umbra(polygon);
+    }
+  }
+
+  const Light& light_;
+  fb::WedgeKind kind_;
+  std::optional<double> length_;
+  traces::Trace& trace_;
+  ScreenBuilder screen_;
+  NearPyramid pyramid_;
+  glm::dmat4 to_light_;
+  Bounds bounds_;
+  bool soft_;
+  std::uint32_t caster_ = 0;
+  ShadowGeometry geometry_;
+};
+
+}  // namespace
+
+SidedPlane::SidedPlane(const glm::dvec4& oriented) : plane(oriented) {
+  for (int i = 0; i < 4; ++i) {
+    if (oriented[i] != 0.0) {
+      minus = oriented[i] < 0.0;
+      break;
+    }
+  }
+  if (minus) plane = -plane;
+}
+
+bool SidedPlane::inside(const glm::dvec3& p) const {
+  return (glm::dot(glm::dvec3(plane), p) + plane.w >= 0.0) != minus;
+}
+
+ShadowGeometry build_shadow_geometry(const Scene& scene, const Window& window, fb::WedgeKind kind,
+                                     std::optional<double> length, traces::Trace& trace) {
+  Builder builder(scene, window, kind, length, trace);
+  for (const Object& object : scene.objects) {
+    if (object.casts) builder.add_caster(object.mesh);
+  }
+  return builder.take();
+}
+
+}  // namespace wedgesim::functional

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <vector>
+
+#include "functional/geometry/extent.h"
+#include "functional/geometry/wedge.h"
+#include "functional/raster/window.h"
+#include "functional/scene/scene.h"
+#include "traces/trace.h"
+
+namespace wedgesim::functional {
+
+/// A world plane with the tie rule of a trace: inside iff (n·p + d ≥ 0) differs from minus.
+struct SidedPlane {
+  glm::dvec4 plane{0.0};
+  bool minus = false;
+  SidedPlane() = default;
+  explicit SidedPlane(const glm::dvec4& oriented);
+  bool inside(const glm::dvec3& p) const;
+};
+
+/// What the renderer knows of a wedge of the trace, in world and light space.
+struct ShadowWedge {
+  std::vector<SidedPlane> planes;   // those that decide, at most kMaxPlanes
+  SidedPlane umbra_plane;           // of its umbra polygon, into the shadow
+  glm::dvec3 begin{0.0}, end{0.0};  // the silhouette edge, world space
+  glm::dvec3 light_begin{0.0}, light_end{0.0};
+  std::array<double, 6> factors{};  // linear
+};
+
+/// All shadow volumes of a frame: wedges[i] is the i-th wedge of the trace, umbra_planes[i] belongs
+/// to its i-th umbra polygon.
+struct ShadowGeometry {
+  traces::fb::WedgeKind kind = traces::fb::WedgeKind_coverage;
+  std::vector<ShadowWedge> wedges;
+  std::vector<SidedPlane> umbra_planes;
+  std::size_t degenerate_wedges = 0;  // edges whose wedge holds nothing
+};
+
+/// Builds the volumes of every caster of a scene and fills the trace's vertices, planes, faces,
+/// wedges, umbra polygons and casters.
+/// \param length  fixed length of the volumes, world units; none: just beyond the receivers
+/// \throws InputError if the light touches a caster or its penumbra spans a half-space
+ShadowGeometry build_shadow_geometry(const Scene& scene, const Window& window,
+                                     traces::fb::WedgeKind kind, std::optional<double> length,
+                                     traces::Trace& trace);
+
+}  // namespace wedgesim::functional

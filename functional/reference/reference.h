@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "functional/raster/depth_buffer.h"
+#include "functional/raster/window.h"
+#include "functional/scene/scene.h"
+
+namespace wedgesim::functional {
+
+/// Ray-traced visibility, the truth that the shadow methods are measured against.
+/// For each pixel the visible fraction of the light: rays from the stored surface point to
+/// stratified samples of the light, one per cell, jittered by a hash of pixel and sample, against
+/// the casters alone (Embree, robust mode). A rectangle is sampled over its area, a sphere over the
+/// disc that the tangent cone from the point cuts (coverage.h).
+/// \param samples  rounded down to a square number, at least 1
+/// \return (height, width) visibility in [0, 1]; 1 for the sky
+std::vector<float> reference_visibility(const Scene& scene, const Window& window,
+                                        const DepthBuffer& depth, int samples = 1024,
+                                        std::uint64_t seed = 1);
+
+}  // namespace wedgesim::functional
