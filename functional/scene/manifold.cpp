@@ -38,6 +38,13 @@ std::vector<Use> edge_uses(const Mesh& mesh) {
   return uses;
 }
 
+/// A sheet of no volume is not inside out, whatever its rounding.
+bool is_inside_out(const Mesh& mesh) {
+  const auto [low, high] = bounds_of(mesh);
+  const double diagonal = glm::distance(low, high);
+  return signed_volume(mesh) < -1e-9 * diagonal * diagonal * diagonal;
+}
+
 }  // namespace
 
 ManifoldReport examine(const Mesh& mesh) {
@@ -75,6 +82,8 @@ double signed_volume(const Mesh& mesh) {
   return six_volumes / 6.0;
 }
 
+bool is_sound(const Mesh& mesh) { return examine(mesh).closed() && !is_inside_out(mesh); }
+
 void require_closed(const Mesh& mesh, const std::string& place, const std::string& remark) {
   const ManifoldReport report = examine(mesh);
   if (!report.closed()) {
@@ -87,9 +96,7 @@ void require_closed(const Mesh& mesh, const std::string& place, const std::strin
                     report.inconsistent_edges, at.x, at.y, at.z),
         "a closed two-manifold");
   }
-  const auto [low, high] = bounds_of(mesh);
-  const double diagonal = glm::distance(low, high);
-  if (signed_volume(mesh) < -1e-9 * diagonal * diagonal * diagonal) {
+  if (is_inside_out(mesh)) {
     throw InputError(place, fmt::format("mesh '{}' is inside out{}", mesh.name, remark),
                      "triangles counter-clockwise seen from outside");
   }

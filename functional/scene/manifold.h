@@ -26,6 +26,9 @@ ManifoldReport examine(const Mesh& mesh);
 /// The volume that the surface encloses: positive if it faces outwards.
 double signed_volume(const Mesh& mesh);
 
+/// Closed and not inside out: what require_closed demands.
+bool is_sound(const Mesh& mesh);
+
 /// \param place   named in the error, with the mesh
 /// \param remark  put after the mesh's name, as " even after repair"
 /// \throws InputError with the three counts and the first bad edge's position, or if the mesh is

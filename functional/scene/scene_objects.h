@@ -1,21 +1,19 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "functional/scene/scene.h"
+#include "functional/scene/shapes.h"
 #include "functional/scene/toml_table.h"
 
 namespace wedgesim::functional {
 
-/// What an object's meshes may depend on besides its own table.
+/// What an object may depend on besides its own table.
 struct ObjectContext {
-  std::filesystem::path folder;  // relative paths start here
-  std::optional<std::filesystem::path> user_mesh;
-  bool repair = false;
-  std::vector<std::string>* notes = nullptr;
+  ShapeContext shape;
+  bool repair = false;                        // as if every caster said so
+  std::vector<std::string>* notes = nullptr;  // gets what repairs did
 };
 
 /// The objects of one [[object]] table: one for each position. Casters are welded and closed.

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "functional/scene/scene.h"
+#include "functional/scene/toml_table.h"
+
+namespace wedgesim::functional {
+
+/// What a shape may depend on besides its own table.
+struct ShapeContext {
+  std::filesystem::path folder;                    // relative paths start here
+  std::optional<std::filesystem::path> user_mesh;  // --mesh
+};
+
+/// The mesh that the key `shape` and the shape's own keys describe, in its own space.
+/// \throws InputError at FILE:LINE
+Mesh read_shape(const TomlTable& table, const ShapeContext& context);
+
+}  // namespace wedgesim::functional
