@@ -97,7 +97,7 @@ TEST(WriteFile, NeverReplacesAPipe) {
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   std::fstream reader(pipe, std::ios::in | std::ios::out);  // both, so that no open waits
   write_file(pipe, std::string_view("through\n"));
-  EXPECT_TRUE(fs::is_fifo(pipe));
+  ASSERT_TRUE(fs::is_fifo(pipe));
   std::string line;
   std::getline(reader, line);
   EXPECT_EQ(line, "through");

@@ -107,6 +107,13 @@ TEST(WriteImage, GivesTheSameBytesAgain) {
   }
 }
 
+TEST(Exr, HoldsNoTimeOfWriting) {
+  // Two writes within one second would hide a clock in the file.
+  const TemporaryFolder folder;
+  write_image(folder / "x.exr", awkward_image(1));
+  EXPECT_NE(content(folder / "x.exr").find("2000:01:01 00:00:00"), std::string::npos);
+}
+
 TEST(WriteImage, RefusesOtherFormats) {
   const TemporaryFolder folder;
   EXPECT_THROW(write_image(folder / "x.jpg", Image(2, 2, 3)), InputError);
