@@ -1,6 +1,7 @@
 #include "traces/verify.h"
 
 #include <algorithm>
+#include <array>
 
 #include "traces/expect.h"
 
@@ -143,6 +144,10 @@ void verify_polygon(const TraceView& trace, const Expect& expect, Spot at, const
   expect.interval(at, polygon.z_min(), polygon.z_max());
 }
 
+constexpr std::array<std::string_view, kMaxWedgePlanes> kPlaneFields = {
+    "planes[0]", "planes[1]", "planes[2]", "planes[3]",
+    "planes[4]", "planes[5]", "planes[6]", "planes[7]"};
+
 void verify_wedge(const TraceView& trace, const Expect& expect, std::uint32_t index) {
   const Spot at{"wedges", index};
   const fb::Wedge& wedge = trace.wedges[index];
@@ -151,7 +156,7 @@ void verify_wedge(const TraceView& trace, const Expect& expect, std::uint32_t in
   const int fewest = wedge.kind() == fb::WedgeKind_linear ? 4 : 1;
   expect.between(at, "plane_count", wedge.plane_count(), fewest, kMaxWedgePlanes);
   for (std::uint8_t i = 0; i < wedge.plane_count(); ++i) {
-    verify_reference(trace, expect, at, "planes", (*wedge.planes())[i]);
+    verify_reference(trace, expect, at, kPlaneFields[i], (*wedge.planes())[i]);
   }
   expect.between(at, "face_count", wedge.face_count(), 0, kMaxWedgeFaces);
   verify_range(expect, at, "first_face + face_count", wedge.first_face(), wedge.face_count(),
