@@ -43,4 +43,13 @@ inline double decode_depth(fb::DepthFormat format, std::uint32_t word) {
 /// The word of the sky: window depth 1.
 inline std::uint32_t sky_word(fb::DepthFormat format) { return encode_depth(format, 1.0); }
 
+/// The word of a depth one step nearer (-1) or farther (+1), kept within [0, 1].
+inline std::uint32_t step_depth(fb::DepthFormat format, std::uint32_t word, int farther) {
+  const bool reversed = format == fb::DepthFormat_float32_reversed;
+  const bool unorm = format == fb::DepthFormat_unorm24 || format == fb::DepthFormat_unorm16;
+  const std::int64_t top = unorm ? sky_word(format) : std::bit_cast<std::uint32_t>(1.0F);
+  const std::int64_t moved = std::int64_t{word} + (reversed ? -farther : farther);
+  return static_cast<std::uint32_t>(moved < 0 ? 0 : (moved > top ? top : moved));
+}
+
 }  // namespace wedgesim::traces

@@ -55,13 +55,6 @@ BandRows rows_of(const std::vector<SnappedPoint>& outline, int width, int y_begi
   return rows;
 }
 
-std::uint32_t step_word(fb::DepthFormat format, std::uint32_t word, int step) {
-  const std::int64_t moved = std::int64_t{word} + step;
-  const bool unorm = format == fb::DepthFormat_unorm24 || format == fb::DepthFormat_unorm16;
-  const std::int64_t top = unorm ? traces::sky_word(format) : 0x3f800000;
-  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(moved, 0, top));
-}
-
 struct UmbraPolygon {
   std::vector<SnappedPoint> outline;
   Extent extent;
@@ -159,8 +152,8 @@ class Evaluation {
       for (std::size_t k = 0; k < kDepths; ++k) {
         const int step = k == 0 ? 0 : (k == 1 ? -1 : 1);
         Points& p = points[i];
-        p.z[k] = traces::decode_depth(depth_.format,
-                                      step_word(depth_.format, depth_.words[first + i], step));
+        p.z[k] = traces::decode_depth(
+            depth_.format, traces::step_depth(depth_.format, depth_.words[first + i], step));
         p.world[k] = world_point(window_, x, y, p.z[k]);
         p.in_light[k] = glm::dvec3(to_light_ * glm::dvec4(p.world[k], 1.0));
       }

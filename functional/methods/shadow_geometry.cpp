@@ -84,9 +84,11 @@ class Builder {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (!silhouette.light_facing[t]) continue;
       const auto& c = mesh.triangles[t];
-      add_umbra({mesh.positions[c[0]], mesh.positions[c[1]], mesh.positions[c[2]]}, glm::dvec4(0.0),
-                traces::kNone, fb::UmbraRole_cap);
+      geometry_.caps.push_back({mesh.positions[c[0]], mesh.positions[c[1]], mesh.positions[c[2]]});
+      const auto& cap = geometry_.caps.back();
+      add_umbra({cap.begin(), cap.end()}, glm::dvec4(0.0), traces::kNone, fb::UmbraRole_cap);
     }
+    if (eye_in_umbra(mesh, silhouette)) need_z_fail();
   }
 
   ShadowGeometry take() { return std::move(geometry_); }
@@ -100,13 +102,14 @@ class Builder {
       ShadowWedge shadow;
       shadow.begin = corners[i];
       shadow.end = corners[j];
+      shadow.umbra = {corners[j], corners[i], far[i], far[j]};
       const glm::dvec4 quad = quad_plane(light_.centre, shadow.begin, shadow.end);
       std::uint32_t wedge = traces::kNone;
       if (soft_) {
         wedge =
             add_wedge(coverage_wedge(light_, shadow.begin, shadow.end, end_plane), quad, shadow);
       }
-      add_umbra({corners[j], corners[i], far[i], far[j]}, quad, wedge, fb::UmbraRole_side);
+      add_umbra({shadow.umbra.begin(), shadow.umbra.end()}, quad, wedge, fb::UmbraRole_side);
     }
     add_bottoms(far, end_plane);
   }
@@ -123,6 +126,7 @@ class Builder {
       shadow.begin = linear.begin;
       shadow.end = linear.end;
       shadow.factors = linear.factors;
+      shadow.umbra = linear.umbra;
       const glm::dvec4 front = linear.volume.planes[0];
       const std::uint32_t wedge = add_wedge(linear.volume, front, shadow);
       add_umbra({linear.umbra.begin(), linear.umbra.end()}, front, wedge, fb::UmbraRole_side);
@@ -131,10 +135,14 @@ class Builder {
     add_bottoms(far, end_plane);
   }
 
-  // The end of a volume: a fan over the far corners of its loop, all in the end plane.
+  // The end of a volume: a fan over the far corners of its loop, all in the end plane. Where the
+  // loop is not convex a triangle may be wound the other way; its plane then turns with it.
   void add_bottoms(const std::vector<glm::dvec3>& far, const EndPlane& end_plane) {
     for (std::size_t i = 1; i + 1 < far.size(); ++i) {
-      add_umbra({far[0], far[i + 1], far[i]}, end_plane.plane, traces::kNone, fb::UmbraRole_bottom);
+      const glm::dvec3 outward = glm::cross(far[i + 1] - far[0], far[i] - far[0]);
+      const bool turned = glm::dot(outward, glm::dvec3(end_plane.plane)) > 0.0;
+      add_umbra({far[0], far[i + 1], far[i]}, turned ? -end_plane.plane : end_plane.plane,
+                traces::kNone, fb::UmbraRole_bottom);
     }
   }
 

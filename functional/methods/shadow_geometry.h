@@ -30,7 +30,8 @@ struct ShadowWedge {
   SidedPlane umbra_plane;           // of its umbra polygon, into the shadow
   glm::dvec3 begin{0.0}, end{0.0};  // the silhouette edge, world space
   glm::dvec3 light_begin{0.0}, light_end{0.0};
-  std::array<double, 6> factors{};  // linear
+  std::array<double, 6> factors{};    // linear
+  std::array<glm::dvec3, 4> umbra{};  // the outline of its umbra polygon, world space
 };
 
 /// All shadow volumes of a frame: wedges[i] is the i-th wedge of the trace, umbra_planes[i] belongs
@@ -39,6 +40,8 @@ struct ShadowGeometry {
   traces::fb::WedgeKind kind = traces::fb::WedgeKind_coverage;
   std::vector<ShadowWedge> wedges;
   std::vector<SidedPlane> umbra_planes;
+  /// The light-facing triangles of all casters, world space.
+  std::vector<std::array<glm::dvec3, 3>> caps;
   std::size_t degenerate_wedges = 0;  // edges whose wedge holds nothing
 };
 

@@ -1,0 +1,100 @@
+#include "functional/methods/render.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/check.h"
+#include "functional/methods/frame.h"
+#include "functional/reference/reference.h"
+
+namespace wedgesim::functional {
+namespace {
+
+constexpr glm::dvec3 kSky{0.52, 0.66, 0.82};       // linear colour behind everything
+constexpr glm::dvec3 kSkyLight{0.26, 0.30, 0.36};  // on a surface that faces straight up
+constexpr glm::dvec3 kGroundLight{0.10, 0.09, 0.08};
+constexpr double kDirect = 0.78;  // of the light at full visibility
+
+// Of a triangle, towards the eye: receivers may be seen from either side.
+glm::dvec3 normal_to(const Mesh& mesh, std::size_t triangle, const glm::dvec3& eye) {
+  const auto& corner = mesh.triangles[triangle];
+  const glm::dvec3& a = mesh.positions[corner[0]];
+  const glm::dvec3 n = glm::cross(mesh.positions[corner[1]] - a, mesh.positions[corner[2]] - a);
+  const double length = glm::length(n);
+  if (length == 0.0) return glm::dvec3(0.0);
+  return glm::dot(n, eye - a) < 0.0 ? n / -length : n / length;
+}
+
+// What the light's centre and the sky give to a point of reflectance 1.
+glm::dvec3 illumination(const Scene& scene, const glm::dvec3& point, const glm::dvec3& normal,
+                        double visibility) {
+  const glm::dvec3 to_light = glm::normalize(scene.light.centre - point);
+  const double direct = std::max(0.0, glm::dot(normal, to_light)) * visibility;
+  const double up = 0.5 + 0.5 * glm::dot(normal, glm::normalize(scene.camera.up));
+  return kDirect * direct * scene.light.colour + glm::mix(kGroundLight, kSkyLight, up);
+}
+
+}  // namespace
+
+View render_view(const Scene& scene, Method method, int samples) {
+  if (method == Method::reference) {
+    View view;
+    view.window = make_window(scene.camera, scene.width, scene.height);
+    view.depth = render_depth(view.window, scene.objects, traces::fb::DepthFormat_float32);
+    view.visibility = reference_visibility(scene, view.window, view.depth, samples);
+    return view;
+  }
+  FrameOptions options;
+  options.kind =
+      method == Method::linear ? traces::fb::WedgeKind_linear : traces::fb::WedgeKind_coverage;
+  Scene lit = scene;
+  if (method == Method::hard) lit.light.shape = LightShape::point;
+  Frame frame = make_frame(lit, options);
+  const std::vector<double>& li = frame.trace.expected_li;
+  View view{std::move(frame.window), std::move(frame.depth), std::vector<float>(li.size())};
+  std::ranges::transform(li, view.visibility.begin(),
+                         [](double value) { return static_cast<float>(value); });
+  return view;
+}
+
+Image shade(const Scene& scene, const Window& window, const DepthBuffer& depth,
+            const std::vector<float>& visibility) {
+  Image image(window.width, window.height, 3);
+  CHECK_EQ(3 * visibility.size(), image.values.size());
+  CHECK_EQ(visibility.size(), depth.words.size());
+  tbb::parallel_for(0, window.height, [&](int y) {
+    for (int x = 0; x < window.width; ++x) {
+      const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(window.width) +
+                         static_cast<std::size_t>(x);
+      glm::dvec3 colour = kSky;
+      if (depth.triangle[pixel] != DepthBuffer::kSky) {
+        const DepthBuffer::Surface surface = depth.surface(pixel);
+        const Object& object = scene.objects[surface.object];
+        const double z = traces::decode_depth(depth.format, depth.words[pixel]);
+        const glm::dvec3 point = world_point(window, x + 0.5, y + 0.5, z);
+        const glm::dvec3 normal = normal_to(object.mesh, surface.triangle, window.eye);
+        const double visible = std::clamp(static_cast<double>(visibility[pixel]), 0.0, 1.0);
+        colour = object.colour * illumination(scene, point, normal, visible);
+      }
+      for (int c = 0; c < 3; ++c) {
+        image.pixel(x, y)[c] = static_cast<float>(std::clamp(colour[c], 0.0, 1.0));
+      }
+    }
+  });
+  return image;
+}
+
+Image encode_srgb(const Image& linear) {
+  Image encoded = linear;
+  for (float& value : encoded.values) {
+    const float v = std::clamp(value, 0.0F, 1.0F);
+    value = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1.0F / 2.4F) - 0.055F;
+  }
+  return encoded;
+}
+
+}  // namespace wedgesim::functional
