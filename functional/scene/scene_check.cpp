@@ -7,10 +7,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/vector_relational.hpp>
 #include <vector>
 
 #include "base/error.h"
 #include "functional/scene/manifold.h"
+#include "functional/scene/transform.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -139,7 +141,10 @@ void check_light(const Object& object, const Light& light, const std::string& pl
       }
     }
   }
-  if (examine(mesh).closed() && std::abs(winding_number(mesh, light.centre)) > 0.5) {
+  const auto [low, high] = bounds_of(mesh);
+  const bool near =
+      glm::all(glm::lessThan(low, light.centre)) && glm::all(glm::lessThan(light.centre, high));
+  if (near && examine(mesh).closed() && std::abs(winding_number(mesh, light.centre)) > 0.5) {
     throw InputError(place, fmt::format("the light is inside '{}'", mesh.name),
                      "a light clear of all geometry");
   }

@@ -126,6 +126,12 @@ void set_size(Scene& scene, const TomlTable& table, const SceneOptions& options)
   }
 }
 
+bool has_user_object(const TomlTable& table) {
+  const std::vector<TomlTable> objects = table.tables("object");
+  return std::ranges::any_of(
+      objects, [](const TomlTable& object) { return object.text("shape") == "user"; });
+}
+
 }  // namespace
 
 Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
@@ -146,6 +152,10 @@ Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
     std::ranges::move(read_objects(object, context), std::back_inserter(scene.objects));
   }
   table.reject_unknown();
+  if (options.mesh && !has_user_object(table)) {
+    throw InputError("--mesh", scene.name + " has no place for a mesh",
+                     "the scene 'mesh', or an object with shape = \"user\"");
+  }
   check_scene(scene, source.place);
   return scene;
 }

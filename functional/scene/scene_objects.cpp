@@ -59,7 +59,9 @@ std::vector<Object> read_objects(const TomlTable& table, const ObjectContext& co
   object.mesh = read_shape(table, context.shape);
   object.mesh.name = table.text("name", object.mesh.name);
   if (object.casts) {
-    object.mesh = closed(object.mesh, repair, table.place(), context.notes);
+    const bool is_user = context.shape.user_mesh && table.text("shape") == "user";
+    const std::string place = is_user ? context.shape.user_mesh->string() : table.place();
+    object.mesh = closed(object.mesh, repair, place, context.notes);
   }
   if (table.has("fit")) {
     object.mesh = fitted(std::move(object.mesh), table.number("fit", {}, Range::size()));
