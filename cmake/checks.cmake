@@ -1,5 +1,5 @@
-# Tests that are no programs of tests/: how the sources are written, and the unit tests again under
-# the sanitizers. They run from an optimized build only; docs/testing.md lists the labels.
+# Tests that are no programs of this build: how the sources are written, the unit tests again under
+# the sanitizers, a minute of fuzzing. From an optimized build only; docs/testing.md has the labels.
 if(WEDGESIM_SANITIZE OR WEDGESIM_FUZZ OR NOT CMAKE_BUILD_TYPE STREQUAL "Release")
   return()
 endif()
@@ -19,3 +19,11 @@ add_test(NAME sanitize.unit WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
   COMMAND ${CMAKE_CTEST_COMMAND} --preset asan -L ^unit$ --no-tests=error)
 set_tests_properties(sanitize.build sanitize.unit PROPERTIES LABELS sanitize)
 set_tests_properties(sanitize.unit PROPERTIES FIXTURES_REQUIRED sanitize.build TIMEOUT 1800)
+
+# The fuzzer keeps the inputs that reached new code between runs, beside those it starts from.
+set(fuzz_folder ${PROJECT_SOURCE_DIR}/build/fuzz/tests/traces)
+wedgesim_nested_build(fuzz.build fuzz trace_fuzz)
+add_test(NAME fuzz.trace WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMAND sh -c
+  "cd ${fuzz_folder} && mkdir -p found && ./trace_fuzz -max_total_time=60 -timeout=10 \
+     -rss_limit_mb=2048 -verbosity=0 -print_final_stats=1 found trace_corpus")
+set_tests_properties(fuzz.trace PROPERTIES LABELS fuzz FIXTURES_REQUIRED fuzz.build TIMEOUT 180)

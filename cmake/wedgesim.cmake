@@ -9,9 +9,6 @@ if(WEDGESIM_SANITIZE)
     -fsanitize=${WEDGESIM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(wedgesim_options INTERFACE -fsanitize=${WEDGESIM_SANITIZE})
 endif()
-if(WEDGESIM_FUZZ)
-  target_compile_options(wedgesim_options INTERFACE -fsanitize=fuzzer-no-link)
-endif()
 find_program(MOLD mold)
 if(MOLD)
   target_link_options(wedgesim_options INTERFACE -fuse-ld=mold)
@@ -52,34 +49,6 @@ function(wedgesim_test source)
   if("unit" IN_LIST ARG_LABELS)
     add_dependencies(unit_tests ${target})
   endif()
-endfunction()
-
-# wedgesim_fuzz(traces/trace_fuzz.cpp LINKS wedgesim::traces [SEEDS folder] [SECONDS 60])
-# In the preset fuzz: makes the libFuzzer program trace_fuzz of one file of tests/. Elsewhere: two
-# tests that build it there and run it, starting from the files of the folder of seeds.
-function(wedgesim_fuzz source)
-  cmake_parse_arguments(ARG "" "SEEDS;SECONDS" "LINKS" ${ARGN})
-  get_filename_component(target ${source} NAME_WE)
-  if(WEDGESIM_FUZZ)
-    add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/${source})
-    target_link_libraries(${target} PRIVATE wedgesim_options ${ARG_LINKS})
-    target_link_options(${target} PRIVATE -fsanitize=fuzzer)
-    set_target_properties(${target} PROPERTIES
-      RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR} EXCLUDE_FROM_ALL ON)
-    return()
-  endif()
-  if(NOT ARG_SECONDS)
-    set(ARG_SECONDS 60)
-  endif()
-  math(EXPR limit "${ARG_SECONDS} + 60")
-  set(found ${PROJECT_BINARY_DIR}/fuzz/${target})  # inputs that reach new code, kept between runs
-  file(MAKE_DIRECTORY ${found})
-  wedgesim_nested_build(${target}.build fuzz ${target})
-  add_test(NAME ${target} WORKING_DIRECTORY ${PROJECT_BINARY_DIR}/fuzz
-    COMMAND ${PROJECT_SOURCE_DIR}/build/fuzz/${target} -max_total_time=${ARG_SECONDS} -timeout=10
-            -rss_limit_mb=2048 -print_final_stats=1 ${found} ${ARG_SEEDS})
-  set_tests_properties(${target} PROPERTIES
-    LABELS fuzz TIMEOUT ${limit} FIXTURES_REQUIRED ${target}.build)
 endfunction()
 
 # A test that configures another preset and builds one target there; named as a fixture, it runs
