@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "traces/dump.h"
 
 namespace wedgesim::traces {
 namespace {
+
+using nlohmann::json;
 
 template <typename Values, typename Test>
 auto count(const Values& values, Test test) {
@@ -29,7 +32,8 @@ std::string summary(const TraceView& trace) {
   const auto line = [&text](std::string_view name, const std::string& value) {
     text += fmt::format("{:<16}{}\n", name, value);
   };
-  line("name", header.name);
+  // Quoted: a name from a file may hold anything.
+  line("name", json(header.name).dump(-1, ' ', true, json::error_handler_t::replace));
   line("checksum", fmt::format("{:016x}", header.checksum));
   line("size", fmt::format("{}x{}", header.width, header.height));
   line("lights", std::to_string(header.lights.size()));

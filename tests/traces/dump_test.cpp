@@ -176,11 +176,11 @@ TEST(DumpObj, VertexBehindTheEyeLeavesItsFacesOut) {
 
 TEST(Summary, CountsOfTheSample) {
   Trace trace = sample_trace();
-  trace.header.name = "sample";
+  trace.header.name = "sam\nple";
   trace.header.checksum = 0xabcU;
   trace.li_sensitivity.clear();
   EXPECT_EQ(summary(trace.view()),
-            "name            sample\n"
+            "name            \"sam\\nple\"\n"
             "checksum        0000000000000abc\n"
             "size            4x3\n"
             "lights          2\n"
