@@ -14,10 +14,10 @@
 namespace wedgesim::functional {
 namespace {
 
-constexpr glm::dvec3 kSky{0.52, 0.66, 0.82};       // linear colour behind everything
-constexpr glm::dvec3 kSkyLight{0.26, 0.30, 0.36};  // on a surface that faces straight up
-constexpr glm::dvec3 kGroundLight{0.10, 0.09, 0.08};
-constexpr double kDirect = 0.78;  // of the light at full visibility
+constexpr glm::dvec3 kSky{0.47, 0.60, 0.76};       // linear colour behind everything
+constexpr glm::dvec3 kSkyLight{0.18, 0.21, 0.26};  // on a surface that faces straight up
+constexpr glm::dvec3 kGroundLight{0.08, 0.075, 0.07};
+constexpr double kDirect = 0.85;  // of the light at full visibility
 
 // Of a triangle, towards the eye: receivers may be seen from either side.
 glm::dvec3 normal_to(const Mesh& mesh, std::size_t triangle, const glm::dvec3& eye) {

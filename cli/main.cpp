@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "cli/command.h"
+
+namespace wedgesim::cli {
+namespace {
+
+constexpr int kCheckFailed = 1;
+constexpr int kBadInput = 2;
+
+std::vector<Command> add_commands(CLI::App& program) {
+  std::vector<Command> commands{add_scenes(program), add_render(program), add_trace(program),
+                                add_dump(program)};
+  // What CLI11 does not know is left over, so that one place can say what would be known.
+  program.allow_extras();
+  for (const Command& command : commands) command.app->allow_extras();
+  return commands;
+}
+
+// The command that the arguments name, as the user would type it.
+std::string name_of(const CLI::App& app) {
+  return (app.get_parent() == nullptr ? "" : name_of(*app.get_parent()) + " ") + app.get_name();
+}
+
+std::string names_of(const CLI::App& app) {
+  std::string names;
+  const auto add = [&names](const std::string& name) {
+    names += (names.empty() ? "" : ", ") + name;
+  };
+  for (const CLI::App* command : app.get_subcommands({})) add(command->get_name());
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_positional()) add(option->get_name());
+  }
+  return names;
+}
+
+void reject_unknown(const CLI::App& app) {
+  const std::vector<std::string> unknown = app.remaining();
+  if (unknown.empty()) return;
+  const std::string place = fmt::format("{}: {}", name_of(app), unknown.front());
+  if (unknown.front().starts_with('-')) {
+    throw InputError(place, "no such option", "one of " + names_of(app));
+  }
+  if (app.get_parent() == nullptr) {
+    throw InputError(place, "no such command", "one of " + names_of(app));
+  }
+  throw InputError(place, "one argument too many", "what --help lists");
+}
+
+int run(CLI::App& program, int argc, char** argv) {
+  const std::vector<Command> commands = add_commands(program);
+  program.parse(argc, argv);
+  reject_unknown(program);
+  for (const Command& command : commands) {
+    if (!command.app->parsed()) continue;
+    reject_unknown(*command.app);
+    const int code = command.run();
+    if (std::fflush(stdout) != 0 || !std::cout.flush()) {
+      throw InputError("standard output", "cannot be written", "room for what is printed");
+    }
+    return code;
+  }
+  throw InputError("wedgesim", "no command given", "one of " + names_of(program));
+}
+
+// One line in the form of an InputError for what CLI11 refuses.
+std::string message_of(const CLI::ParseError& error, const CLI::App& program) {
+  const auto commands = program.get_subcommands();
+  const std::string command = name_of(commands.empty() ? program : *commands.front());
+  std::string problem = error.what();
+  std::string_view expected = "what --help lists";
+  if (error.get_name() == "RequiredError") {
+    expected = "it among the arguments";
+  } else if (error.get_name() == "ArgumentMismatch") {
+    problem = problem.substr(0, problem.find(':')) + ": without a value, or more than once";
+    expected = "one value";
+  }
+  return InputError(command, problem, expected).what();
+}
+
+int report(int code, std::string_view message) {
+  fmt::print(stderr, "{}\n", message);
+  return code;
+}
+
+}  // namespace
+}  // namespace wedgesim::cli
+
+int main(int argc, char** argv) {
+  using namespace wedgesim;
+  CLI::App program("Simulates a GPU block that rasterizes penumbra wedges", "wedgesim");
+  program.footer("Example:\n  wedgesim study paper2\nwedgesim COMMAND --help says more.");
+  try {
+    return cli::run(program, argc, argv);
+  } catch (const CLI::Success& wish) {  // --help
+    return program.exit(wish);
+  } catch (const CLI::ParseError& error) {
+    return cli::report(cli::kBadInput, cli::message_of(error, program));
+  } catch (const InputError& error) {
+    return cli::report(cli::kBadInput, error.what());
+  } catch (const std::bad_alloc&) {
+    return cli::report(cli::kBadInput, "memory: not enough for this; expected a smaller frame");
+  } catch (const std::exception& error) {
+    return cli::report(cli::kCheckFailed, fmt::format("internal error: {}", error.what()));
+  }
+}

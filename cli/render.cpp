@@ -1,0 +1,67 @@
+#include "functional/methods/render.h"
+
+#include <memory>
+
+#include "base/image.h"
+#include "cli/command.h"
+#include "cli/parse.h"
+#include "cli/progress.h"
+#include "cli/scene_arguments.h"
+#include "reports/picture.h"
+
+namespace wedgesim::cli {
+namespace {
+
+struct Arguments {
+  SceneArguments scene;
+  std::string image, method = "coverage", samples = "1024";
+  bool visibility = false;
+};
+
+int run(const Arguments& arguments) {
+  using functional::Method;
+  const auto method = parse_choice<Method>("--method", arguments.method,
+                                           {{"coverage", Method::coverage},
+                                            {"linear", Method::linear},
+                                            {"hard", Method::hard},
+                                            {"reference", Method::reference}});
+  const int samples = parse_integer("--samples", arguments.samples, 1, 1 << 20);
+  reports::require_image_name(arguments.image);
+  Progress progress;
+  progress.show("reading " + arguments.scene.scene);
+  const functional::Scene scene = arguments.scene.load();
+  progress.show("rendering " + scene.name);
+  const functional::View view = functional::render_view(scene, method, samples);
+  if (arguments.visibility) {
+    reports::write_values(arguments.image, view.visibility, scene.width, scene.height);
+  } else {
+    reports::write_colours(arguments.image,
+                           functional::shade(scene, view.window, view.depth, view.visibility));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command add_render(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("render", "Render a scene into an image");
+  auto arguments = std::make_shared<Arguments>();
+  arguments->scene.add_to(*app);
+  app->add_option("-o,--output", arguments->image, "Image to write, .png or .exr")
+      ->required()
+      ->type_name("IMG");
+  app->add_option("--method", arguments->method,
+                  "coverage, linear: penumbra wedges; hard: the light shrunk to its centre; "
+                  "reference: rays")
+      ->type_name("M")
+      ->capture_default_str();
+  app->add_option("--samples", arguments->samples, "Samples of the light, for the reference")
+      ->type_name("N")
+      ->capture_default_str();
+  app->add_flag("--visibility", arguments->visibility,
+                "Write the visible fraction of the light alone; EXR holds it as it is");
+  app->footer("Example:\n  wedgesim render plain-columns -o plain.png --size 320x213 --frame 5");
+  return {app, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace wedgesim::cli

@@ -1,0 +1,41 @@
+#include "cli/scene_arguments.h"
+
+#include <cstdio>
+#include <limits>
+
+#include "cli/parse.h"
+
+namespace wedgesim::cli {
+
+void SceneArguments::add_to(CLI::App& app) {
+  app.add_option("SCENE", scene, "A built-in scene (wedgesim scenes) or a scene file (.toml)")
+      ->required()
+      ->type_name("");
+  app.add_option("--size", size, "Pixels; the scene's own without it")->type_name("WxH");
+  app.add_option("--frame", frame, "Frame of the camera's path")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--mesh", mesh, "A mesh file in the place of the scene's user object")
+      ->type_name("FILE");
+  app.add_flag("--repair", repair, "Repair casters that are not closed, and say how");
+  app.add_option("--light", light, "Turn the light into this shape")->type_name("rect|sphere");
+}
+
+functional::Scene SceneArguments::load() const {
+  functional::SceneOptions options;
+  if (!size.empty()) options.size = parse_size("--size", size);
+  options.frame = parse_integer("--frame", frame, 0, std::numeric_limits<int>::max());
+  if (!mesh.empty()) options.mesh = mesh;
+  options.repair = repair;
+  if (!light.empty()) {
+    options.light_shape = parse_choice<functional::LightShape>(
+        "--light", light,
+        {{"rect", functional::LightShape::rectangle}, {"sphere", functional::LightShape::sphere}});
+  }
+  std::vector<std::string> notes;
+  functional::Scene loaded = functional::load_scene(scene, options, &notes);
+  for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
+  return loaded;
+}
+
+}  // namespace wedgesim::cli

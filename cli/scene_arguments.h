@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "functional/scene/scene_file.h"
+
+namespace wedgesim::cli {
+
+/// The arguments that choose a scene, the same for every command that renders one.
+struct SceneArguments {
+  std::string scene, size, frame = "0", mesh, light;
+  bool repair = false;
+
+  void add_to(CLI::App& app);
+  /// Loads the scene; what a repair did is said on standard error.
+  /// \throws InputError for anything wrong with the options or the scene
+  functional::Scene load() const;
+};
+
+}  // namespace wedgesim::cli
