@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "model/count/primitive.h"
+#include "model/count/z_frame.h"
+
+namespace wedgesim::model {
+
+/// One block of a primitive's pixels; sets as in z_frame.h.
+struct Block {
+  std::uint32_t bx = 0, by = 0;
+  const double* z = nullptr;  // 64 depths, row by row
+};
+
+/// What the umbra polygon's plane and interval say at a block's pixels.
+struct UmbraBits {
+  std::uint64_t inner = 0;   // inside the plane
+  std::uint64_t before = 0;  // z below the polygon's interval
+  std::uint64_t beyond = 0;  // z above it
+};
+
+/// The loops over pixels. Every kernel gives the same bits.
+struct Kernel {
+  const char* name;
+  /// inside[i] = the pixels of candidates[i] inside the wedge: all planes, and z in its interval.
+  void (*inside)(const Primitive& wedge, std::span<const Block> blocks,
+                 const std::uint64_t* candidates, std::uint64_t* inside);
+  /// Umbra bits at the pixels of candidates[i]; other bits are undefined.
+  /// \param interval  the polygon's
+  void (*umbra)(const Plane& plane, ZInterval interval, std::span<const Block> blocks,
+                const std::uint64_t* candidates, UmbraBits* bits);
+  /// words[k] = the k-th pixel's contribution without its sign, over the pixels of sets[0],
+  /// sets[1], ..., each lowest bit first.
+  /// \param one  word_one of the format
+  void (*words)(const LightTerms& terms, double one, std::span<const Block> blocks,
+                const std::uint64_t* sets, std::int64_t* words);
+};
+
+/// The plain loop, which says what the others must give.
+extern const Kernel kScalarKernel;
+
+/// The widest that this processor runs, by Highway.
+const Kernel& simd_kernel();
+
+}  // namespace wedgesim::model

@@ -1,0 +1,57 @@
+#include "model/count/kernel.h"
+
+namespace wedgesim::model {
+namespace {
+
+double centre_x(const Block& block, int bit) { return block.bx * 8.0 + (bit & 7) + 0.5; }
+double centre_y(const Block& block, int bit) { return block.by * 8.0 + (bit >> 3) + 0.5; }
+
+void inside(const Primitive& wedge, std::span<const Block> blocks, const std::uint64_t* candidates,
+            std::uint64_t* result) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    std::uint64_t bits = 0;
+    for_each_bit(candidates[i], [&](int bit) {
+      const double z = blocks[i].z[bit];
+      if (!(z >= wedge.z.min && z <= wedge.z.max)) return;
+      const double x = centre_x(blocks[i], bit);
+      const double y = centre_y(blocks[i], bit);
+      for (const Plane& plane : wedge.planes) {
+        if (!plane.inside(x, y, z)) return;
+      }
+      bits |= std::uint64_t{1} << bit;
+    });
+    result[i] = bits;
+  }
+}
+
+void umbra(const Plane& plane, ZInterval interval, std::span<const Block> blocks,
+           const std::uint64_t* candidates, UmbraBits* result) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    UmbraBits bits;
+    for_each_bit(candidates[i], [&](int bit) {
+      const double z = blocks[i].z[bit];
+      const std::uint64_t one = std::uint64_t{1} << bit;
+      if (plane.inside(centre_x(blocks[i], bit), centre_y(blocks[i], bit), z)) bits.inner |= one;
+      if (z < interval.min) bits.before |= one;
+      if (z > interval.max) bits.beyond |= one;
+    });
+    result[i] = bits;
+  }
+}
+
+void words(const LightTerms& terms, double one, std::span<const Block> blocks,
+           const std::uint64_t* sets, std::int64_t* result) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    for_each_bit(sets[i], [&](int bit) {
+      *result++ = to_word(
+          contribution(terms, centre_x(blocks[i], bit), centre_y(blocks[i], bit), blocks[i].z[bit]),
+          one);
+    });
+  }
+}
+
+}  // namespace
+
+const Kernel kScalarKernel{"scalar", inside, umbra, words};
+
+}  // namespace wedgesim::model

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/count/light_image.h"
+#include "traces/trace.h"
+
+namespace wedgesim::model {
+
+/// One pixel of a comparison; LI and errors in units of full light.
+struct PixelError {
+  int x = 0, y = 0;
+  double expected = 0.0;
+  double li = 0.0;
+  double error = 0.0;        // li - expected
+  double sensitivity = 0.0;  // what one step of stored z changes
+};
+
+/// LI against the trace's expected LI.
+struct PixelCheck {
+  std::uint64_t compared = 0;  // 0 if the trace holds no expected LI
+  double max_error = 0.0;
+  double rms_error = 0.0;        // over pixels of sensitivity <= 1/255
+  std::uint64_t mismatched = 0;  // |error| > tolerance + sensitivity
+  double tolerance = 0.0;
+  std::vector<PixelError> worst;  // at most ten, the worst first
+};
+
+/// What the finished frame of a configuration says.
+struct FrameSummary {
+  std::uint64_t li_writes_floor = 0;    // final word not fully lit
+  std::uint64_t stencil_not_zero = 0;   // pixels that a merge writes
+  std::uint64_t li_out_of_range = 0;    // LI alone: single-pass
+  std::uint64_t any_out_of_range = 0;   // LI or stencil: three-pass
+  std::uint64_t contributions_max = 0;  // to one pixel
+  PixelCheck pixels;
+};
+
+/// A frame of LI words: fully lit plus all contributions.
+class FinishedFrame {
+ public:
+  /// \param corrections  of one configuration; empty in a right block
+  FinishedFrame(const ZFrame& frame, const LightImage& image, LiFormat format,
+                std::vector<Correction> corrections);
+
+  /// \param compare_sky  sky pixels' expected LI holds for the z method at hand
+  FrameSummary summarize(const traces::TraceView& trace, bool compare_sky) const;
+
+  /// (height, width) words; 1.0 is word_one of the format.
+  std::vector<std::int64_t> words() const;
+
+ private:
+  struct Sums {
+    std::int64_t word;
+    std::int64_t stencil;
+  };
+  Sums sums(std::size_t position) const;
+
+  const ZFrame& frame_;
+  const LightImage& image_;
+  LiFormat format_;
+  std::int64_t one_;
+  std::vector<Correction> corrections_;  // one a position, sorted
+};
+
+}  // namespace wedgesim::model

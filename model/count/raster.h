@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace wedgesim::model {
+
+/// A vertex snapped to 1/256 pixel.
+struct Snapped {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+};
+
+/// Half-open range of pixels in a row; empty if begin == end.
+struct Span {
+  int begin = 0;
+  int end = 0;
+};
+
+/// A convex snapped outline, ready for integer edge functions.
+///
+/// A pixel is covered iff its centre, (256x + 128, 256y + 128), is inside all edges; a centre on a
+/// left or top edge is inside, on a right or bottom edge outside, so polygons that share an edge
+/// share no pixel and leave no gap. Coordinates up to 2^28 in size.
+class Outline {
+ public:
+  Outline() = default;
+  explicit Outline(std::span<const Snapped> vertices);
+
+  /// Seen counter-clockwise on the screen (y up), by the sign of the snapped area.
+  bool eye_facing() const { return area_ < 0; }
+  /// Area 0: covers nothing.
+  bool empty() const { return area_ == 0; }
+  /// Rows that may hold covered pixels; row_begin >= row_end if none.
+  int row_begin() const { return row_begin_; }
+  int row_end() const { return row_end_; }
+  /// The covered pixels of a row, clipped to [0, width).
+  Span row(int y, int width) const;
+  bool covers(int x, int y) const;
+
+ private:
+  struct Edge {
+    std::int64_t x, y, dx, dy;  // directed so that the inside has dx*(Y - y) - dy*(X - x) > 0
+  };
+  std::vector<Edge> edges_;
+  std::int64_t area_ = 0;  // doubled, y down
+  int row_begin_ = 0;
+  int row_end_ = 0;
+};
+
+}  // namespace wedgesim::model

@@ -1,0 +1,246 @@
+#include "model/count/tally.h"
+
+#include <bit>
+
+#include "model/count/shared_words.h"
+#include "model/count/tile_test.h"
+
+namespace wedgesim::model {
+namespace {
+
+std::uint64_t size(std::uint64_t bits) { return static_cast<std::uint64_t>(std::popcount(bits)); }
+
+bool is_planes_kind(Cull cull) {
+  return cull == Cull::planes || cull == Cull::both || cull == Cull::sat;
+}
+
+}  // namespace
+
+ConfigRun::ConfigRun(const CountConfig& configuration, const ZFrame& frame,
+                     const TileDepths& tile_depths, bool maps)
+    : config(configuration),
+      tiles(&tile_depths),
+      face_words(words_of(configuration.cull)),
+      umbra_words(umbra_words_of(configuration)),
+      z_touched(frame.block_count()),
+      li_touched(frame.block_count()) {
+  if (config.tile_build == TileBuild::lazy) tiles_visited.resize((tile_depths.count() + 63) / 64);
+  if (maps) {
+    z_reads.resize(frame.block_count() * kBlockPixels);
+    li_writes.resize(z_reads.size());
+  }
+}
+
+TileTally::TileTally(std::span<ConfigRun* const> runs, const ZFrame& frame, ZMethod method)
+    : runs_(runs), frame_(frame), method_(method), corrections_(runs.size()) {
+  for (const ConfigRun* run : runs) {
+    counters_.push_back(std::make_unique<Counters>());
+    needs_zmax_ = needs_zmax_ || run->config.cull == Cull::zmax;
+    needs_planes_ = needs_planes_ || is_planes_kind(run->config.cull);
+    needs_sat_ = needs_sat_ || run->config.cull == Cull::sat;
+  }
+}
+
+void TileTally::count(const Primitive& primitive, const Footprint& footprint) {
+  primitive_ = &primitive;
+  footprint_ = &footprint;
+  for_each_tile(footprint, runs_.front()->config.tile, part_memory_,
+                [this](std::uint32_t tx, std::uint32_t ty, std::span<const TilePart> parts) {
+                  parts_ = parts;
+                  count_tile(tx, ty);
+                });
+}
+
+void TileTally::count_tile(std::uint32_t tx, std::uint32_t ty) {
+  const TileDepths& tiles = *runs_.front()->tiles;
+  tile_ = {};
+  tile_.index = tiles.index(tx, ty);
+  tile_.pixels = tiles.pixels(tile_.index);
+  for (const TilePart& part : parts_) {
+    for (std::size_t i = 0; i < primitive_->faces.size(); ++i) {
+      if ((footprint_->face(part.block, i) & part.bits) != 0) tile_.faces |= std::uint64_t{1} << i;
+    }
+    const std::uint64_t umbra = footprint_->umbra(part.block) & part.bits;
+    tile_.umbra = tile_.umbra || umbra != 0;
+    tile_.umbra_beyond_faces =
+        tile_.umbra_beyond_faces || (umbra & ~footprint_->outline(part.block)) != 0;
+  }
+  test_tile(tiles.box(tx, ty));
+  part_sets_.clear();
+  outcomes_.clear();
+  for (std::size_t i = 0; i < runs_.size(); ++i) count_run(i);
+}
+
+void TileTally::test_tile(const Box& box) {
+  if (tile_.faces != 0) {
+    if (needs_zmax_) {
+      for_each_bit(tile_.faces, [&](int i) {
+        const RasterFace& face = primitive_->faces[static_cast<std::size_t>(i)];
+        if (tile_test::culls_zmax(face, box, method_)) tile_.zmax |= std::uint64_t{1} << i;
+      });
+    }
+    tile_.zrange = tile_test::culls_zrange(*primitive_, box);
+    if (needs_planes_) {
+      tile_.planes = tile_test::culls_planes(*primitive_, box);
+      tile_.inside = !tile_.planes && tile_test::is_inside(*primitive_, box);
+    }
+    if (needs_sat_) tile_.sat = tile_test::culls_sat(*primitive_, box);
+  }
+  if (tile_.umbra && !primitive_->polygon->cap) {
+    tile_.umbra_culled = tile_test::culls_umbra(*primitive_->polygon, box, method_);
+    tile_.umbra_accepted = tile_test::accepts_umbra(*primitive_->polygon, box, method_);
+  }
+}
+
+void TileTally::count_run(std::size_t index) {
+  ConfigRun& run = *runs_[index];
+  Counters& counters = *counters_[index];
+  const CountConfig& config = run.config;
+  const bool single = config.mode == Mode::single_pass;
+  const bool shared = single && primitive_->shares(config.share == Share::all);
+  const std::uint64_t faces = size(tile_.faces);
+  const bool own_visit = tile_.umbra && (!shared || tile_.umbra_beyond_faces);
+  // A cap is written untested; a shared polygon's test is paid by the first face's visit.
+  const unsigned umbra_words =
+      primitive_->polygon && primitive_->polygon->cap ? 0 : run.umbra_words;
+  std::uint64_t words = faces * size(run.face_words) + (own_visit ? size(umbra_words) : 0);
+  if (shared && tile_.umbra && faces > 0) {
+    words += size(run.face_words | umbra_words) - size(run.face_words);
+  }
+  counters.tile_visits += faces + (own_visit ? 1 : 0);
+  counters.tile_reads += words;
+  if (words > 0 && !run.tiles_visited.empty()) {
+    set_shared(run.tiles_visited[tile_.index / 64], std::uint64_t{1} << (tile_.index % 64));
+  }
+
+  const std::uint64_t surviving = survivors(config, counters);
+  if (is_planes_kind(config.cull) && tile_.inside) counters.tiles_inside += size(surviving);
+  const Outcome& result = outcome(surviving, umbra_state(config, counters));
+  counters.z_reads += shared ? result.shared_reads : result.reads + result.umbra_reads;
+  const bool reads = result.reads > 0;
+  const bool umbra_reads = result.umbra_reads > 0;
+  const std::uint64_t whole_tiles =
+      shared ? (reads || umbra_reads ? 1 : 0) : (reads ? 1 : 0) + (umbra_reads ? 1 : 0);
+  counters.z_reads_whole_tile += whole_tiles * tile_.pixels;
+  counters.li_writes += shared ? result.shared_writes : result.writes + result.umbra_writes;
+  if (!single) counters.stencil_writes += result.umbra_writes;
+  touch(run, result, shared);
+  if (result.wrong) correct(index, result);
+}
+
+std::uint64_t TileTally::survivors(const CountConfig& config, Counters& counters) const {
+  if (tile_.faces == 0 || config.cull == Cull::none) return tile_.faces;
+  if (config.cull == Cull::zmax) {
+    counters.visits_culled_zmax += size(tile_.zmax);
+    return tile_.faces & ~tile_.zmax;
+  }
+  const std::uint64_t faces = size(tile_.faces);
+  if (config.cull != Cull::planes && tile_.zrange) {
+    counters.visits_culled_zrange += faces;
+    return 0;
+  }
+  if (config.cull != Cull::zrange && tile_.planes) {
+    counters.visits_culled_planes += faces;
+    return 0;
+  }
+  if (config.cull == Cull::sat && tile_.sat) {
+    counters.visits_culled_sat += faces;
+    return 0;
+  }
+  return tile_.faces;
+}
+
+TileTally::UmbraState TileTally::umbra_state(const CountConfig& config, Counters& counters) const {
+  if (!tile_.umbra) return UmbraState::absent;
+  if (primitive_->polygon->cap) return UmbraState::accepted;
+  if (config.umbra_cull == UmbraCull::zmax && tile_.umbra_culled) {
+    counters.umbra_visits_culled += 1;
+    return UmbraState::culled;
+  }
+  if (config.accept == Accept::zmin && tile_.umbra_accepted) {
+    counters.umbra_visits_accepted += 1;
+    return UmbraState::accepted;
+  }
+  return UmbraState::read;
+}
+
+const TileTally::Outcome& TileTally::outcome(std::uint64_t survivors, UmbraState umbra) {
+  for (const Outcome& known : outcomes_) {
+    if (known.survivors == survivors && known.umbra == umbra) return known;
+  }
+  Outcome result;
+  result.survivors = survivors;
+  result.umbra = umbra;
+  result.first_part = part_sets_.size();
+  for (const TilePart& part : parts_) {
+    PartSets sets{};
+    for_each_bit(survivors, [&](int i) {
+      sets.reads |= footprint_->face(part.block, static_cast<std::size_t>(i));
+    });
+    sets.reads &= part.bits;
+    sets.writes = sets.reads & footprint_->inside(part.block);
+    const std::uint64_t covered = footprint_->umbra(part.block) & part.bits;
+    const std::uint64_t hits = footprint_->hits(part.block) & part.bits;
+    if (umbra == UmbraState::read) sets.umbra_reads = covered;
+    if (umbra == UmbraState::read) sets.umbra_writes = hits;
+    if (umbra == UmbraState::accepted) sets.umbra_writes = covered;
+    result.reads += size(sets.reads);
+    result.umbra_reads += size(sets.umbra_reads);
+    result.shared_reads += size(sets.reads | sets.umbra_reads);
+    result.writes += size(sets.writes);
+    result.umbra_writes += size(sets.umbra_writes);
+    result.shared_writes += size(sets.writes | sets.umbra_writes);
+    result.wrong = result.wrong || sets.umbra_writes != hits ||
+                   sets.writes != (footprint_->inside(part.block) & part.bits);
+    part_sets_.push_back(sets);
+  }
+  outcomes_.push_back(result);
+  return outcomes_.back();
+}
+
+void TileTally::touch(ConfigRun& run, const Outcome& outcome, bool shared) const {
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const PartSets& sets = part_sets_[outcome.first_part + k];
+    const Block& at = footprint_->blocks()[parts_[k].block];
+    const std::size_t block = frame_.block(at.bx, at.by);
+    const std::uint64_t z = sets.reads | sets.umbra_reads;
+    const std::uint64_t li = sets.writes | sets.umbra_writes;
+    if (z != 0) set_shared(run.z_touched[block], z);
+    if (li != 0) set_shared(run.li_touched[block], li);
+    if (run.z_reads.empty()) continue;
+    const auto draw = [&](std::vector<std::uint32_t>& map, std::uint64_t bits) {
+      for_each_bit(bits, [&](int bit) {
+        add_shared(map[block * kBlockPixels + static_cast<std::size_t>(bit)], std::uint32_t{1});
+      });
+    };
+    draw(run.z_reads, z);
+    draw(run.li_writes, li);
+    if (shared) continue;
+    draw(run.z_reads, sets.reads & sets.umbra_reads);
+    draw(run.li_writes, sets.writes & sets.umbra_writes);
+  }
+}
+
+void TileTally::correct(std::size_t run, const Outcome& outcome) {
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const TilePart& part = parts_[k];
+    const PartSets& sets = part_sets_[outcome.first_part + k];
+    const Block& at = footprint_->blocks()[part.block];
+    const std::size_t first = frame_.block(at.bx, at.by) * kBlockPixels;
+    const std::uint64_t inside = footprint_->inside(part.block);
+    for_each_bit(inside & part.bits & ~sets.writes, [&](int bit) {
+      const std::uint64_t below = (std::uint64_t{1} << bit) - 1;
+      const std::int64_t word = footprint_->words(part.block)[size(inside & below)];
+      corrections_[run].push_back({first + static_cast<std::size_t>(bit), -word, 0});
+    });
+    const std::uint64_t hits = footprint_->hits(part.block) & part.bits;
+    if (hits == sets.umbra_writes) continue;
+    const std::int32_t step = primitive_->polygon->stencil_step;
+    for_each_bit(hits ^ sets.umbra_writes, [&](int bit) {
+      const bool lost = (hits >> bit & 1) != 0;
+      corrections_[run].push_back({first + static_cast<std::size_t>(bit), 0, lost ? -step : step});
+    });
+  }
+}
+
+}  // namespace wedgesim::model
