@@ -27,8 +27,8 @@ struct SceneInfo {
   int frames = 1;  // of the camera path
 };
 
-/// Reads one frame of a scene; docs/scenes.md describes the format. Casters come out welded (equal
-/// positions are one vertex) and checked; the whole scene is checked (scene_check.h).
+/// Reads one frame of a scene; traces/scenes/README.md describes the format. Casters come out
+/// welded (equal positions are one vertex) and checked; the whole scene is checked (scene_check.h).
 /// \param name_or_file  a built-in name, or a TOML file if it ends in .toml or names a folder
 /// \param notes         may be null; gets a line for each thing that a repair did
 /// \throws InputError   for anything wrong with the file, its meshes or the options

@@ -113,6 +113,9 @@ TEST(BuiltInFiles, AreTheFilesOfTheFolder) {
   std::set<std::string> on_disk;
   for (const auto& entry :
        std::filesystem::directory_iterator(WEDGESIM_SOURCE_DIR "/traces/scenes")) {
+    if (entry.path().extension() != ".toml") {
+      continue;
+    }
     on_disk.insert(entry.path().stem().string());
     std::ifstream stream(entry.path());
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
