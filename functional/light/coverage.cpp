@@ -5,18 +5,15 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace wedgesim::functional {
 namespace {
 
-using Segment = std::pair<glm::dvec2, glm::dvec2>;
-
 double cross_2d(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-// The part of an edge in front of the point: a·t + b stays above the smallest positive share.
+// A part of a segment, 0 at its begin and 1 at its end.
 struct Interval {
   double low = 0.0;
   double high = 1.0;
@@ -32,6 +29,21 @@ struct Interval {
   }
   bool empty() const { return !(low < high); }
 };
+
+// The part of a segment between two homogeneous points that projects into the square [−1, 1]²;
+// it has third coordinates ≥ 0.
+Interval inside_square(const glm::dvec3& a, const glm::dvec3& b) {
+  Interval inside;
+  inside.keep(a.z - a.x, b.z - b.x);
+  inside.keep(a.z + a.x, b.z + b.x);
+  inside.keep(a.z - a.y, b.z - b.y);
+  inside.keep(a.z + a.y, b.z + b.y);
+  return inside;
+}
+
+glm::dvec2 project(const glm::dvec3& h) {
+  return h.z > 0.0 ? glm::dvec2(h) / h.z : glm::dvec2(0.0);
+}
 
 // Where the ray from the centre through q leaves the square [−1, 1]².
 glm::dvec2 square_exit(const glm::dvec2& q) {
@@ -67,23 +79,15 @@ glm::dmat4 light_from_world(const Light& light) {
 
 double rectangle_coverage(const glm::dvec3& point, const glm::dvec3& begin, const glm::dvec3& end) {
   // Project e from p: (p.h·e − e.h·p) / (p.h − e.h), kept as numerator and denominator.
-  const auto project = [&](const glm::dvec3& e) {
+  const auto seen = [&](const glm::dvec3& e) {
     return glm::dvec3(point.z * e.x - e.z * point.x, point.z * e.y - e.z * point.y, point.z - e.z);
   };
-  const glm::dvec3 a = project(begin);
-  const glm::dvec3 b = project(end);
-  Interval inside;
-  inside.keep(a.z - a.x, b.z - b.x);
-  inside.keep(a.z + a.x, b.z + b.x);
-  inside.keep(a.z - a.y, b.z - b.y);
-  inside.keep(a.z + a.y, b.z + b.y);
+  const glm::dvec3 a = seen(begin);
+  const glm::dvec3 b = seen(end);
+  const Interval inside = inside_square(a, b);
   if (inside.empty()) return 0.0;
-  const auto at = [&](double t) {
-    const glm::dvec3 h = a + t * (b - a);
-    return h.z > 0.0 ? glm::dvec2(h) / h.z : glm::dvec2(0.0);
-  };
-  glm::dvec2 p = at(inside.low);
-  glm::dvec2 q = at(inside.high);
+  glm::dvec2 p = project(a + inside.low * (b - a));
+  glm::dvec2 q = project(a + inside.high * (b - a));
   if (cross_2d(p, q) < 0.0) std::swap(p, q);
   // Outline: p, q, where q's ray leaves the square, the corners up to where p's ray leaves it.
   std::vector<glm::dvec2> outline{p, q, square_exit(q)};
@@ -117,19 +121,13 @@ double sphere_coverage(const glm::dvec3& point, const glm::dvec3& begin, const g
     const glm::dvec3 d = e - point;
     return glm::dvec3(glm::dot(d, u), glm::dot(d, v), tan_half * glm::dot(d, axis));
   };
-  glm::dvec3 a = in_cone(begin);
-  glm::dvec3 b = in_cone(end);
-  // In front of the point: the cone's own apex side.
-  Interval front;
-  const double least = 1e-12 * std::max(std::abs(a.z), std::abs(b.z));
-  front.keep(a.z - least, b.z - least);
-  if (front.empty()) return 0.0;
-  const glm::dvec3 from = a;
-  const glm::dvec3 step = b - a;
-  a = from + front.low * step;
-  b = from + front.high * step;
-  const glm::dvec2 p = glm::dvec2(a) / a.z;
-  const glm::dvec2 q = glm::dvec2(b) / b.z;
+  const glm::dvec3 a = in_cone(begin);
+  const glm::dvec3 b = in_cone(end);
+  // First to the square around the disc: what is left is in front of the point and bounded.
+  const Interval inside = inside_square(a, b);
+  if (inside.empty()) return 0.0;
+  const glm::dvec2 p = project(a + inside.low * (b - a));
+  const glm::dvec2 q = project(a + inside.high * (b - a));
   // |p + s (q − p)| = 1.
   const glm::dvec2 d = q - p;
   const double dd = glm::dot(d, d);
