@@ -51,12 +51,6 @@ glm::dvec2 square_exit(const glm::dvec2& q) {
   return reach > 0.0 ? q / reach : glm::dvec2(1.0, 0.0);
 }
 
-// Which side of the square a point of its outline is on: 0 right, 1 top, 2 left, 3 bottom.
-int square_side(const glm::dvec2& p) {
-  if (std::abs(p.x) >= std::abs(p.y)) return p.x > 0.0 ? 0 : 2;
-  return p.y > 0.0 ? 1 : 3;
-}
-
 }  // namespace
 
 glm::dmat4 light_from_world(const Light& light) {
@@ -89,17 +83,19 @@ double rectangle_coverage(const glm::dvec3& point, const glm::dvec3& begin, cons
   glm::dvec2 p = project(a + inside.low * (b - a));
   glm::dvec2 q = project(a + inside.high * (b - a));
   if (cross_2d(p, q) < 0.0) std::swap(p, q);
-  // Outline: p, q, where q's ray leaves the square, the corners up to where p's ray leaves it.
-  std::vector<glm::dvec2> outline{p, q, square_exit(q)};
-  const glm::dvec2 last = square_exit(p);
-  constexpr std::array<std::array<double, 2>, 4> kCorner{{{1, -1}, {1, 1}, {-1, 1}, {-1, -1}}};
-  // From q's exit clockwise to p's exit: the lower corner of each side passed.
-  const int target = square_side(last);
-  for (int side = square_side(outline.back()); side != target; side = (side + 3) % 4) {
-    const auto& corner = kCorner[static_cast<std::size_t>(side)];
-    outline.emplace_back(corner[0], corner[1]);
+  // The corners between the rays, at most two, by the rays themselves: where the exits lie would
+  // not do, as rounding may put them past a corner the wrong way round.
+  std::vector<glm::dvec2> corners;
+  for (const glm::dvec2 corner : {glm::dvec2(1, -1), {1, 1}, {-1, 1}, {-1, -1}}) {
+    if (cross_2d(p, corner) > 0.0 && cross_2d(corner, q) > 0.0) corners.push_back(corner);
   }
-  outline.push_back(last);
+  if (corners.size() == 2 && cross_2d(corners[0], corners[1]) > 0.0) {
+    std::swap(corners[0], corners[1]);
+  }
+  // Outline: p, q, where q's ray leaves the square, clockwise to where p's ray leaves it.
+  std::vector<glm::dvec2> outline{p, q, square_exit(q)};
+  outline.insert(outline.end(), corners.begin(), corners.end());
+  outline.push_back(square_exit(p));
   double doubled = 0.0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     doubled += cross_2d(outline[i], outline[(i + 1) % outline.size()]);
