@@ -34,7 +34,7 @@ install_packages() {
   # shellcheck disable=SC2086
   quietly build/install.log "${as_root[@]}" sh -c '
     export DEBIAN_FRONTEND=noninteractive
-    apt-get update && apt-get install -y --no-install-recommends "$@"' sh $missing
+    apt-get update && apt-get install -o DPkg::Lock::Timeout=300 -y --no-install-recommends "$@"' sh $missing
 }
 
 # quietly LOG COMMAND...: only a failure shows what the command printed.
@@ -63,7 +63,7 @@ build() {
 show_progress() {
   local line shown=
   while IFS= read -r line; do
-    [[ $line =~ ^\[([0-9]+/[0-9]+)\] ]] || continue
+    [[ $line =~ ^\[([1-9][0-9]*/[0-9]+)\] ]] || continue
     if [ -t 2 ]; then
       printf '\rwedgesim: building %s ' "${BASH_REMATCH[1]}" >&2
     elif [ -z "$shown" ]; then
