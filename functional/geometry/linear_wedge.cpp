@@ -14,6 +14,8 @@ namespace {
 constexpr double kPointsAtLight = 1e-3;
 // Side directions this far from the way of the light are replaced by a simpler construction.
 constexpr double kLeastForward = 0.2;
+// How far a wedge whose sides diverge may go, in diagonals of all that receives.
+constexpr double kLidRadius = 4.0;
 
 struct EdgePlanes {
   glm::dvec3 normal;          // of the shadow quad, unit, into the shadow
@@ -106,6 +108,34 @@ Corner corner_between(const EdgePlanes& ending, const EdgePlanes& starting, cons
   return corner;
 }
 
+// Three planes that close the space above the end plane around a sphere: with it they are a
+// tetrahedron, so that a wedge whose sides diverge still ends, within eight planes.
+std::array<glm::dvec4, 3> lid_above(const EndPlane& end_plane, const glm::dvec3& centre,
+                                    double radius) {
+  const auto up = glm::normalize(glm::dvec3(end_plane.plane));
+  const glm::dvec3 helper = std::abs(up.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 u = glm::normalize(glm::cross(up, helper));
+  const glm::dvec3 v = glm::cross(up, u);
+  std::array<glm::dvec4, 3> lid;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double turn = 2.0 * M_PI * static_cast<double>(i) / 3.0;
+    const glm::dvec3 out = std::sqrt(0.75) * (std::cos(turn) * u + std::sin(turn) * v) + 0.5 * up;
+    lid[i] = glm::dvec4(-out, radius + glm::dot(out, centre));
+  }
+  return lid;
+}
+
+// Planes after the first `kept` that bound no face decide nothing.
+void drop_unused(WorldWedge& volume, std::size_t kept) {
+  for (std::size_t i = volume.planes.size(); i-- > kept;) {
+    const bool used = std::any_of(volume.faces.begin(), volume.faces.end(),
+                                  [&](const WedgeFace& face) { return face.plane == i; });
+    if (used) continue;
+    volume.planes.erase(volume.planes.begin() + static_cast<std::ptrdiff_t>(i));
+    for (WedgeFace& face : volume.faces) face.plane -= face.plane > i ? 1 : 0;
+  }
+}
+
 double reciprocal(const glm::dvec4& plane, const glm::dvec3& direction) {
   return 1.0 / std::max(std::abs(glm::dot(glm::dvec3(plane), direction)), 1e-12);
 }
@@ -113,7 +143,7 @@ double reciprocal(const glm::dvec4& plane, const glm::dvec3& direction) {
 }  // namespace
 
 std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec3> loop,
-                                       const EndPlane& end_plane, const Bounds& box) {
+                                       const EndPlane& end_plane, const Bounds& bounds) {
   for (std::size_t i = 0; loop.size() >= 3 && i < loop.size();) {
     const std::size_t next = (i + 1) % loop.size();
     if (points_at_light(light, loop[i], loop[next])) {
@@ -139,6 +169,10 @@ std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec
     corners.push_back(
         corner_between(planes[before], planes[i], loop[i], loop[before], light.centre));
   }
+  const glm::dvec3 centre = 0.5 * (bounds.low + bounds.high);
+  const double radius = kLidRadius * bounds.diagonal();
+  const std::array<glm::dvec4, 3> lid = lid_above(end_plane, centre, radius);
+  const Bounds box{centre - 8.0 * radius, centre + 8.0 * radius};  // holds the tetrahedron
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n;
     const Corner& left = corners[i];
@@ -147,9 +181,10 @@ std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec
     wedge.begin = loop[i];
     wedge.end = loop[next];
     // The side plane at `begin` has the edge that ends there on its positive side: not this one.
-    const std::array<glm::dvec4, 5> sides{planes[i].front, planes[i].back, -left.side, right.side,
-                                          end_plane.plane};
+    const std::array<glm::dvec4, 8> sides{planes[i].front, planes[i].back, -left.side, right.side,
+                                          end_plane.plane, lid[0],         lid[1],     lid[2]};
     wedge.volume = intersect_half_spaces(sides, box);
+    drop_unused(wedge.volume, 5);
     wedge.umbra = {wedge.end, wedge.begin, end_plane.reach(loop[i] - left.front, loop[i]),
                    end_plane.reach(loop[next] - right.front, loop[next])};
     const glm::dvec3 along = glm::normalize(wedge.end - wedge.begin);

@@ -10,7 +10,8 @@
 namespace wedgesim::functional {
 
 /// A wedge of Papers I and II: planes 0 front, 1 back, 2 left (at the edge's begin), 3 right, 4
-/// bottom, then any that bound its faces; the umbra polygon is its front face.
+/// bottom, then up to three that end it where its sides diverge; the umbra polygon is its front
+/// face.
 struct LinearWedge {
   glm::dvec3 begin, end;
   WorldWedge volume;
@@ -28,8 +29,9 @@ struct LinearWedge {
 /// quad (Paper I, 4.1), or touch opposite corners of a rectangle (Paper I, 8). Neighbours share a
 /// side plane through the intersections of their front and of their back planes. Edges that point
 /// at the light are left out, their ends joined (Paper I, 8).
-/// \param loop  the corners in order, world space
+/// \param loop    the corners in order, world space
+/// \param bounds  of the light and all that receives; wedges whose sides diverge end well outside
 std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec3> loop,
-                                       const EndPlane& end_plane, const Bounds& box);
+                                       const EndPlane& end_plane, const Bounds& bounds);
 
 }  // namespace wedgesim::functional

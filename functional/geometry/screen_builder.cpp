@@ -121,20 +121,34 @@ std::pair<std::uint32_t, std::uint32_t> ScreenBuilder::add_outline(
   return {first, static_cast<std::uint32_t>(outline.size())};
 }
 
+// A polygon that faces the eye has its inner side behind it, where depth grows.
+bool ScreenBuilder::is_turned(std::span<const SnappedPoint> outline,
+                              std::uint32_t reference) const {
+  const double c = trace_.planes[traces::plane_index(reference)].c();
+  const double inward = traces::is_minus(reference) ? -c : c;
+  const std::int64_t area = doubled_area(outline);
+  return area < 0 ? inward < 0.0 : (area > 0 && inward > 0.0);
+}
+
 std::uint32_t ScreenBuilder::add_umbra_polygon(std::span<const glm::dvec3> outline,
                                                std::uint32_t plane, std::uint32_t wedge,
-                                               std::uint32_t caster, traces::fb::UmbraRole role) {
+                                               std::uint32_t caster, traces::fb::UmbraRole role,
+                                               bool twisted) {
   const std::vector<WindowPoint> points = clip_to_window(window_, outline);
   if (points.empty()) return traces::kNone;
   const auto [z_min, z_max] = depth_range(points);
   std::uint32_t result = traces::kNone;
-  for (const auto& part : convex_parts(tidy(snap(points)))) {
+  const auto parts = convex_parts(tidy(snap(points)));
+  for (const auto& part : parts) {
     if (part.size() < 3) continue;
     const auto [first, count] = add_outline(part);
     const bool is_first = result == traces::kNone;
     if (is_first) result = static_cast<std::uint32_t>(trace_.umbra_polygons.size());
-    trace_.umbra_polygons.emplace_back(first, count, plane, is_first ? wedge : traces::kNone,
-                                       caster, role, z_min, z_max);
+    const bool turned = (twisted || parts.size() > 1) && role != traces::fb::UmbraRole_cap &&
+                        is_turned(part, plane);
+    trace_.umbra_polygons.emplace_back(first, count, turned ? plane ^ 1U : plane,
+                                       is_first ? wedge : traces::kNone, caster, role, z_min,
+                                       z_max);
   }
   return result;
 }

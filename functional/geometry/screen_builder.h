@@ -25,11 +25,13 @@ class ScreenBuilder {
 
   /// Adds an umbra polygon, clipped and snapped; one whose snapped outline is not convex becomes
   /// triangles, of which the first alone belongs to the wedge.
+  /// \param twisted  the outline may be wound against its plane: each part takes the side of the
+  ///                 plane that goes with the way it is wound, as parts of one not convex always do
   /// \param plane  reference, or 0 for a cap
   /// \return its index, or traces::kNone if nothing of it is left
   std::uint32_t add_umbra_polygon(std::span<const glm::dvec3> outline, std::uint32_t plane,
                                   std::uint32_t wedge, std::uint32_t caster,
-                                  traces::fb::UmbraRole role);
+                                  traces::fb::UmbraRole role, bool twisted = false);
 
   /// Adds the faces of a wedge. Their outline on the screen is grown by up to 1/128 pixel, so that
   /// snapping never loses a pixel whose point is inside.
@@ -39,6 +41,7 @@ class ScreenBuilder {
 
  private:
   std::uint32_t vertex(const SnappedPoint& point);
+  bool is_turned(std::span<const SnappedPoint> outline, std::uint32_t reference) const;
   std::pair<std::uint32_t, std::uint32_t> add_outline(std::span<const SnappedPoint> outline);
 
   const Window& window_;

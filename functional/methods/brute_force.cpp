@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -36,10 +37,10 @@ double linear_intensity_of_all(const Scene& scene, const Window& window,
                                const glm::dvec3& in_light) {
   double li = 1.0;
   for (const ShadowWedge& wedge : geometry.wedges) {
-    const auto& u = wedge.umbra;
-    if (segment_triangle(window.eye, p, u[0], u[1], u[2]) ||
-        segment_triangle(window.eye, p, u[0], u[2], u[3])) {
-      li += wedge.umbra_plane.inside(p) ? -1.0 : 1.0;
+    for (const std::size_t i : {1U, 2U}) {
+      const auto& [a, b, c] = std::array{wedge.umbra[0], wedge.umbra[i], wedge.umbra[i + 1]};
+      if (!segment_triangle(window.eye, p, a, b, c)) continue;
+      li += glm::dot(glm::cross(b - a, c - a), window.eye - a) > 0.0 ? -1.0 : 1.0;
     }
     const bool inside = std::all_of(wedge.planes.begin(), wedge.planes.end(),
                                     [&](const SidedPlane& plane) { return plane.inside(p); });

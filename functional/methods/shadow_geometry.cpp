@@ -115,13 +115,10 @@ class Builder {
   }
 
   void add_linear_loop(const std::vector<glm::dvec3>& corners, const EndPlane& end_plane) {
-    Bounds box = bounds_;
-    box.grow(light_.centre);
-    const double reach = 4.0 * box.diagonal();
-    box.low -= reach;
-    box.high += reach;
+    Bounds bounds = bounds_;
+    bounds.grow(light_.centre);
     std::vector<glm::dvec3> far;
-    for (const LinearWedge& linear : linear_wedges(light_, corners, end_plane, box)) {
+    for (const LinearWedge& linear : linear_wedges(light_, corners, end_plane, bounds)) {
       ShadowWedge shadow;
       shadow.begin = linear.begin;
       shadow.end = linear.end;
@@ -129,10 +126,29 @@ class Builder {
       shadow.umbra = linear.umbra;
       const glm::dvec4 front = linear.volume.planes[0];
       const std::uint32_t wedge = add_wedge(linear.volume, front, shadow);
-      add_umbra({linear.umbra.begin(), linear.umbra.end()}, front, wedge, fb::UmbraRole_side);
+      add_linear_umbra(linear.umbra, front, wedge);
       far.push_back(linear.umbra[2]);
     }
     add_bottoms(far, end_plane);
+  }
+
+  // The front face of a linear wedge; where its rays had to leave the front plane it is two
+  // triangles in planes of their own.
+  void add_linear_umbra(const std::array<glm::dvec3, 4>& outline, const glm::dvec4& front,
+                        std::uint32_t wedge) {
+    const auto off_plane = [&](const glm::dvec3& p) {
+      return std::abs(glm::dot(glm::dvec3(front), p) + front.w);
+    };
+    const double tolerance = 1e-9 * glm::distance(outline[0], outline[2]);
+    if (off_plane(outline[2]) <= tolerance && off_plane(outline[3]) <= tolerance) {
+      add_umbra({outline.begin(), outline.end()}, front, wedge, fb::UmbraRole_side);
+      return;
+    }
+    for (const std::size_t i : {1U, 2U}) {
+      const glm::dvec3 outward = glm::cross(outline[i] - outline[0], outline[i + 1] - outline[0]);
+      add_umbra({outline[0], outline[i], outline[i + 1]}, {-outward, glm::dot(outward, outline[0])},
+                i == 1 ? wedge : traces::kNone, fb::UmbraRole_side);
+    }
   }
 
   // The end of a volume: a fan over the far corners of its loop, all in the end plane. Where the
@@ -197,10 +213,13 @@ class Builder {
   void add_umbra(const std::vector<glm::dvec3>& outline, const glm::dvec4& plane,
                  std::uint32_t wedge, fb::UmbraRole role) {
     const std::uint32_t reference = role == fb::UmbraRole_cap ? 0 : screen_.plane_reference(plane);
-    const std::uint32_t polygon =
-        screen_.add_umbra_polygon(outline, reference, wedge, caster_, role);
+    const std::uint32_t polygon = screen_.add_umbra_polygon(outline, reference, wedge, caster_,
+                                                            role, kind_ == fb::WedgeKind_linear);
     if (pyramid_.meets(outline)) need_z_fail();
-    geometry_.umbra_planes.resize(trace_.umbra_polygons.size(), SidedPlane(plane));
+    for (std::size_t i = geometry_.umbra_planes.size(); i < trace_.umbra_polygons.size(); ++i) {
+      const bool turned = trace_.umbra_polygons[i].plane() != reference;
+      geometry_.umbra_planes.emplace_back(turned ? -plane : plane);
+    }
     if (wedge != traces::kNone && polygon != traces::kNone) {
       trace_.wedges[wedge].mutate_umbra(polygon);
     }
