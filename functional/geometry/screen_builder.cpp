@@ -144,8 +144,7 @@ std::uint32_t ScreenBuilder::add_umbra_polygon(std::span<const glm::dvec3> outli
     const auto [first, count] = add_outline(part);
     const bool is_first = result == traces::kNone;
     if (is_first) result = static_cast<std::uint32_t>(trace_.umbra_polygons.size());
-    const bool turned = (twisted || parts.size() > 1) && role != traces::fb::UmbraRole_cap &&
-                        is_turned(part, plane);
+    const bool turned = twisted && role != traces::fb::UmbraRole_cap && is_turned(part, plane);
     trace_.umbra_polygons.emplace_back(first, count, turned ? plane ^ 1U : plane,
                                        is_first ? wedge : traces::kNone, caster, role, z_min,
                                        z_max);

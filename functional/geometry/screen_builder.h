@@ -25,8 +25,8 @@ class ScreenBuilder {
 
   /// Adds an umbra polygon, clipped and snapped; one whose snapped outline is not convex becomes
   /// triangles, of which the first alone belongs to the wedge.
-  /// \param twisted  the outline may be wound against its plane: each part takes the side of the
-  ///                 plane that goes with the way it is wound, as parts of one not convex always do
+  /// \param twisted  the outline may be wound against its plane, or be a figure of eight: each part
+  ///                 takes the side of the plane that goes with the way it is wound
   /// \param plane  reference, or 0 for a cap
   /// \return its index, or traces::kNone if nothing of it is left
   std::uint32_t add_umbra_polygon(std::span<const glm::dvec3> outline, std::uint32_t plane,

@@ -60,9 +60,9 @@ TEST_P(Scenes, HoldTheInvariants) {
   std::cout << name << ": most pixels that differ from the witness " << most << '\n';
 }
 
-INSTANTIATE_TEST_SUITE_P(BuiltIn, Scenes, testing::ValuesIn(cases()), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(BuiltIn, Scenes, testing::ValuesIn(cases()), [](const auto& test) {
   std::string name =
-      info.param.scene + (info.param.kind == WedgeKind::WedgeKind_linear ? "_linear" : "_coverage");
+      test.param.scene + (test.param.kind == WedgeKind::WedgeKind_linear ? "_linear" : "_coverage");
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
