@@ -1,12 +1,14 @@
 #include "model/count/count.h"
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <optional>
 
 #include "base/error.h"
 #include "model/count/shared_words.h"
@@ -276,6 +278,10 @@ std::vector<CountResult> count(const TraceView& trace, std::span<const CountConf
     by_method[resolve_z(trace, configs[i].z)].push_back(i);
   }
   std::vector<CountResult> results(configs.size());
+  std::optional<tbb::global_control> more_than_cores;
+  if (options.threads > 0) {
+    more_than_cores.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+  }
   tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
                                              : static_cast<int>(options.threads));
   const std::size_t limit = batch_size(trace, options.maps);

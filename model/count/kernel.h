@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "model/count/primitive.h"
 #include "model/count/z_frame.h"
@@ -42,7 +43,8 @@ struct Kernel {
 /// The plain loop, which says what the others must give.
 extern const Kernel kScalarKernel;
 
-/// The widest that this processor runs, by Highway.
+/// By Highway, for every instruction set that this processor runs, the widest first; the first.
+const std::vector<Kernel>& simd_kernels();
 const Kernel& simd_kernel();
 
 }  // namespace wedgesim::model

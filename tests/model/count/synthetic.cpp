@@ -49,8 +49,9 @@ fb::Matrix4 light_matrix(double width, double height) {
 }
 
 fb::Vec3 random_vec(std::mt19937& random, double size, double z_low, double z_high) {
-  return {uniform(random, -size, size), uniform(random, -size, size),
-          uniform(random, z_low, z_high)};
+  const double x = uniform(random, -size, size);
+  const double y = uniform(random, -size, size);
+  return {x, y, uniform(random, z_low, z_high)};
 }
 
 void randomize_wedge_light(std::mt19937& random, fb::Wedge& wedge) {
@@ -84,7 +85,7 @@ Facing facing_of(const traces::Trace& trace, std::uint32_t plane) {
 
 void randomize_depth(std::mt19937& random, SyntheticTrace& synthetic) {
   const traces::Header& header = synthetic.trace.header;
-  const double base = uniform(random, 0.2, 0.8);
+  const double base = uniform(random, 0.25, 0.6);
   const double slope = uniform(random, -0.3, 0.3) / header.width;
   const unsigned step_x = below(random, header.width + 1);
   for (std::uint32_t y = 0; y < header.height; ++y) {

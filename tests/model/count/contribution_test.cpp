@@ -1,0 +1,256 @@
+#include "model/count/contribution.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <random>
+
+#include "model/count/atan.h"
+#include "traces/trace.h"
+
+namespace wedgesim::model {
+namespace {
+
+constexpr double kTau = 2.0 * kPi;
+
+TEST(UpperAngle, IsWithin1e12OfTheAngle) {
+  for (int i = 0; i <= 200000; ++i) {
+    const double angle = kPi * i / 200000;
+    const double r = std::ldexp(1.0, i % 40 - 20);
+    const double y = r * std::fabs(std::sin(angle));
+    const double x = r * std::cos(angle);
+    ASSERT_NEAR(upper_angle(y, x), std::atan2(y, x), 1e-12) << angle;
+  }
+  EXPECT_EQ(upper_angle(0.0, 0.0), 0.0);
+  EXPECT_DOUBLE_EQ(upper_angle(0.0, -2.0), kPi);
+  EXPECT_DOUBLE_EQ(upper_angle(3.0, 0.0), kHalfPi);
+}
+
+TEST(ToWord, RoundsToNearestTiesToEven) {
+  EXPECT_EQ(to_word(1.0, 255.0), 255);
+  EXPECT_EQ(to_word(0.5 / 255.0, 255.0), 0);
+  EXPECT_EQ(to_word(1.5 / 255.0, 255.0), 2);
+  EXPECT_EQ(to_word(0.25, word_one(LiFormat::exact)), std::int64_t{1} << 38);
+}
+
+// Terms at the point (0, 0, 0) of window space, so that only the constants of rows count.
+RectangleTerms rectangle_at(const glm::dvec3& p, const glm::dvec3& begin, const glm::dvec3& end) {
+  const auto constant = [](double d) { return Row{0, 0, 0, d}; };
+  const auto project = [&](const glm::dvec3& e) {
+    return RectangleTerms::End{constant(p.z * e.x - e.z * p.x), constant(p.z * e.y - e.z * p.y),
+                               constant(p.z - e.z)};
+  };
+  return {{project(begin), project(end)}};
+}
+
+SphereTerms sphere_at(const glm::dvec3& p, double w, const glm::dvec3& begin,
+                      const glm::dvec3& end) {
+  const auto constant = [](double d) { return Row{0, 0, 0, d}; };
+  return {constant(w * p.x), constant(w * p.y),     constant(w * p.z), constant(w), begin,
+          end - begin,       glm::cross(begin, end)};
+}
+
+// The part of a polygon on one side of the line through p with normal n.
+std::vector<glm::dvec2> cut(const std::vector<glm::dvec2>& polygon, glm::dvec2 p, glm::dvec2 n) {
+  std::vector<glm::dvec2> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec2 a = polygon[i];
+    const glm::dvec2 b = polygon[(i + 1) % polygon.size()];
+    const double fa = glm::dot(a - p, n);
+    const double fb = glm::dot(b - p, n);
+    if (fa >= 0) kept.push_back(a);
+    if ((fa < 0) != (fb < 0)) kept.push_back(a + (b - a) * (fa / (fa - fb)));
+  }
+  return kept;
+}
+
+double cross2(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+double area(const std::vector<glm::dvec2>& polygon) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    sum += cross2(polygon[i], polygon[(i + 1) % polygon.size()]);
+  }
+  return 0.5 * sum;
+}
+
+// The area fraction of a convex outline about the origin that is seen through the segment a-b from
+// the origin, beyond the segment: in the wedge between the rays through a and b, past the line.
+double hidden(const std::vector<glm::dvec2>& outline, glm::dvec2 a, glm::dvec2 b) {
+  if (cross2(a, b) < 0.0) std::swap(a, b);
+  const glm::dvec2 past(b.y - a.y, a.x - b.x);  // away from the origin
+  auto part = cut(outline, {0, 0}, {-a.y, a.x});
+  part = cut(part, {0, 0}, {b.y, -b.x});
+  part = cut(part, a, past);
+  return part.size() < 3 ? 0.0 : area(part) / area(outline);
+}
+
+// Clips the segment a-b to a convex outline, counter-clockwise; false if nothing is left.
+bool clip_segment(const std::vector<glm::dvec2>& outline, glm::dvec2& a, glm::dvec2& b) {
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const glm::dvec2 p = outline[i];
+    const glm::dvec2 q = outline[(i + 1) % outline.size()];
+    const double fa = cross2(q - p, a - p);
+    const double fb = cross2(q - p, b - p);
+    if (fa < 0 && fb < 0) return false;
+    if (fa < 0) a = a + (b - a) * (fa / (fa - fb));
+    if (fb < 0) b = b + (a - b) * (fb / (fb - fa));
+  }
+  return true;
+}
+
+TEST(RectangleCoverage, EqualsTheClippedPolygon) {
+  const std::vector<glm::dvec2> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  int partial = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const glm::dvec3 p(3.0 * unit(random), 3.0 * unit(random), 6.0 + unit(random));
+    const auto edge_end = [&] {
+      return glm::dvec3(2.0 * unit(random), 2.0 * unit(random), 2.5 + 2.0 * unit(random));
+    };
+    const glm::dvec3 begin = edge_end();
+    const glm::dvec3 end = edge_end();
+    const double actual = coverage(rectangle_at(p, begin, end), 0, 0, 0);
+    const auto project = [&](const glm::dvec3& e) {
+      const double t = p.z / (p.z - e.z);
+      return glm::dvec2(p.x + t * (e.x - p.x), p.y + t * (e.y - p.y));
+    };
+    glm::dvec2 a = project(begin);
+    glm::dvec2 b = project(end);
+    const double expected = clip_segment(square, a, b) ? hidden(square, a, b) : 0.0;
+    ASSERT_NEAR(actual, expected, 1e-9) << i;
+    partial += expected > 0.01 ? 1 : 0;
+  }
+  EXPECT_GT(partial, 2000);
+}
+
+TEST(RectangleCoverage, AnEdgeAcrossTheMiddleHidesHalf) {
+  const glm::dvec3 p(0, 0, 4);
+  EXPECT_NEAR(coverage(rectangle_at(p, {-3, 1e-9, 2}, {3, 1e-9, 2}), 0, 0, 0), 0.5, 1e-8);
+  EXPECT_EQ(coverage(rectangle_at(p, {-3, 2, 2}, {3, 2, 2}), 0, 0, 0), 0.0);
+  // An edge that ends in the centre itself: no direction, no area.
+  EXPECT_EQ(coverage(rectangle_at(p, {0, 0, 2}, {0, 0, 2}), 0, 0, 0), 0.0);
+}
+
+TEST(RectangleCoverage, IsNothingOnTheLightsPlane) {
+  // Point and edge at the same height: the projection is at infinity.
+  EXPECT_EQ(coverage(rectangle_at({1, 1, 2}, {-3, 1, 2}, {3, 1, 2}), 0, 0, 0), 0.0);
+}
+
+TEST(SphereCoverage, EqualsAFinePolygon) {
+  std::vector<glm::dvec2> disc;
+  constexpr int kSides = 20000;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = kTau * i / kSides;
+    disc.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  int partial = 0;
+  for (int i = 0; i < 300; ++i) {
+    const glm::dvec3 p(2.0 * unit(random), 2.0 * unit(random), 4.0 + 2.0 * unit(random));
+    const double reach = 0.3 + 0.3 * unit(random);
+    const auto edge_end = [&] {
+      return p * reach + 0.9 * glm::dvec3(unit(random), unit(random), unit(random));
+    };
+    const glm::dvec3 begin = edge_end();
+    const glm::dvec3 end = edge_end();
+    const double actual = coverage(sphere_at(p, 0.5 + reach, begin, end), 0, 0, 0);
+    // The disc in which the tangent cone from p touches; ends as seen from p on its plane.
+    const double distance = glm::length(p);
+    const glm::dvec3 axis = -p / distance;
+    const glm::dvec3 u = glm::normalize(glm::cross(axis, glm::dvec3(1, 0.3, 0.1)));
+    const glm::dvec3 v = glm::cross(axis, u);
+    const double tangent = 1.0 / std::sqrt(distance * distance - 1.0);
+    const auto project = [&](const glm::dvec3& e) {
+      const glm::dvec3 to = e - p;
+      const double axial = glm::dot(to, axis) * tangent;
+      return glm::dvec2(glm::dot(to, u) / axial, glm::dot(to, v) / axial);
+    };
+    if (glm::dot(begin - p, axis) <= 0.05 || glm::dot(end - p, axis) <= 0.05) continue;
+    glm::dvec2 a = project(begin);
+    glm::dvec2 b = project(end);
+    const double expected = clip_segment(disc, a, b) ? hidden(disc, a, b) : 0.0;
+    ASSERT_NEAR(actual, expected, 1e-6) << i;
+    partial += expected > 0.01 ? 1 : 0;
+  }
+  EXPECT_GT(partial, 50);
+}
+
+TEST(SphereCoverage, LooksOnlyTowardsTheLight) {
+  // An edge behind the point is on the cone's other half.
+  EXPECT_EQ(coverage(sphere_at({0, 0, 4}, 1, {-1, 0.1, 6}, {1, 0.1, 6}), 0, 0, 0), 0.0);
+  EXPECT_NEAR(coverage(sphere_at({0, 0, 4}, 1, {-2, 1e-9, 2}, {2, 1e-9, 2}), 0, 0, 0), 0.5, 1e-8);
+  // From one side of the point to the other: the half towards the light counts.
+  EXPECT_GT(coverage(sphere_at({0, 0, 4}, 1, {0.1, 0.05, 2}, {-0.3, 0.2, 7}), 0, 0, 0), 0.0);
+  // Inside the light nothing is hidden.
+  EXPECT_EQ(coverage(sphere_at({0, 0, 0.5}, 1, {-2, 0.1, 0.4}, {2, 0.1, 0.4}), 0, 0, 0), 0.0);
+}
+
+TEST(LightTerms, FollowTheMatrixAndTheEdge) {
+  // A pixel's point in light space by the matrix, then the formulas above.
+  traces::Trace trace;
+  trace.header.lights.resize(1);
+  std::array<double, 16> m{0.01, 0.002, 0.003, 1e-4, -0.003, 0.02, 0.001, 2e-4,
+                           0.5,  -0.4,  2.0,   0.1,  -1.0,   -0.5, 2.5,   1.0};
+  traces::Light& light = trace.header.lights[0];
+  light.light_from_window = traces::fb::Matrix4(flatbuffers::span<const double, 16>(m));
+  traces::fb::Wedge wedge;
+  wedge.mutable_edge_begin() = {-0.5, 0.2, 1.0};
+  wedge.mutable_edge_end() = {0.7, 0.1, 1.3};
+  wedge.mutate_kind(traces::fb::WedgeKind_coverage);
+  const double x = 30.5, y = 20.5, z = 0.6;
+  const auto row = [&](std::size_t r) {
+    return m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r];
+  };
+  const glm::dvec3 p = glm::dvec3(row(0), row(1), row(2)) / row(3);
+  const glm::dvec3 begin(-0.5, 0.2, 1.0), end(0.7, 0.1, 1.3);
+
+  light.shape = traces::fb::LightShape_rectangle;
+  const double rectangle = contribution(light_terms(trace.view(), wedge), x, y, z);
+  EXPECT_GT(rectangle, 0.01);
+  EXPECT_NEAR(rectangle, coverage(rectangle_at(p, begin, end), 0, 0, 0), 1e-12);
+
+  light.shape = traces::fb::LightShape_sphere;
+  const double sphere = contribution(light_terms(trace.view(), wedge), x, y, z);
+  EXPECT_GT(sphere, 0.01);
+  EXPECT_NEAR(sphere, coverage(sphere_at(p, 1.0, begin, end), 0, 0, 0), 1e-12);
+}
+
+LinearTerms linear_terms() {
+  // Front z = 0.2, back z = 0.6, left x = 0, right x = 10.
+  LinearTerms terms;
+  terms.planes = {Plane{0, 0, 1, -0.2, false}, Plane{0, 0, 1, -0.6, true}, Plane{1, 0, 0, 0, false},
+                  Plane{1, 0, 0, -10, true}};
+  terms.factors = {1, 1, 1, 1, 1, 1};
+  return terms;
+}
+
+TEST(Intensity, GoesFromLitAtTheFrontToDarkAtTheBack) {
+  const LinearTerms terms = linear_terms();
+  EXPECT_DOUBLE_EQ(intensity(terms, 5, 0, 0.2), 1.0);
+  EXPECT_DOUBLE_EQ(intensity(terms, 5, 0, 0.6), 0.0);
+  EXPECT_DOUBLE_EQ(intensity(terms, 5, 0, 0.3), 0.75);
+}
+
+TEST(Intensity, InterpolatesBetweenTheSides) {
+  LinearTerms terms = linear_terms();
+  terms.factors[0] = 3;  // on the left the front is three times as far
+  const double left = intensity(terms, 0, 0, 0.4);
+  const double right = intensity(terms, 10, 0, 0.4);
+  EXPECT_DOUBLE_EQ(left, 0.25);  // back 1, front 3
+  EXPECT_DOUBLE_EQ(right, 0.5);
+  EXPECT_NEAR(intensity(terms, 2.5, 0, 0.4), 0.75 * left + 0.25 * right, 1e-15);
+}
+
+TEST(Intensity, IsHalfWhereTheWedgeHasNoThickness) {
+  LinearTerms terms = linear_terms();
+  terms.planes[1].d = -0.2;
+  EXPECT_EQ(intensity(terms, 5, 0, 0.2), 0.5);
+}
+
+}  // namespace
+}  // namespace wedgesim::model

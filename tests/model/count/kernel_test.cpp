@@ -1,0 +1,113 @@
+#include "model/count/kernel.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+#include <set>
+
+#include "model/count/footprint.h"
+#include "tests/model/count/synthetic.h"
+
+namespace wedgesim::model {
+namespace {
+
+// Blocks of random depth with random sets of pixels.
+struct Pixels {
+  std::vector<double> depths;
+  std::vector<Block> blocks;
+  std::vector<std::uint64_t> sets;
+};
+
+Pixels random_pixels(std::mt19937& random, std::uint32_t blocks) {
+  Pixels pixels;
+  std::uniform_real_distribution<double> depth(0.0, 1.0);
+  for (std::uint32_t i = 0; i < blocks * kBlockPixels; ++i) pixels.depths.push_back(depth(random));
+  for (std::uint32_t i = 0; i < blocks; ++i) {
+    pixels.blocks.push_back({i % 7, i / 7, &pixels.depths[std::size_t{i} * kBlockPixels]});
+    std::uint64_t set = random();
+    set = set << 32 | random();
+    for (unsigned thin = i % 4; thin > 0; --thin) set &= set >> 3;
+    pixels.sets.push_back(i % 11 == 0 ? 0 : (i % 13 == 0 ? ~std::uint64_t{0} : set));
+  }
+  return pixels;
+}
+
+TEST(Kernel, ThereIsMoreThanOneInstructionSet) { EXPECT_GE(simd_kernels().size(), 2u); }
+
+TEST(Kernel, EveryInstructionSetFindsTheSamePixelsInside) {
+  std::size_t found = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    std::mt19937 random(seed);
+    const traces::Trace trace = test::random_tetrahedra(random, 56, 56, 4);
+    Pixels pixels = random_pixels(random, 49);
+    for (std::uint32_t w = 0; w < 4; ++w) {
+      Primitive wedge = wedge_primitive(trace.view(), ZMethod::pass, w);
+      // Ties: depths on the interval's ends, planes through pixel centres.
+      pixels.depths[5] = wedge.z.min;
+      pixels.depths[6] = wedge.z.max;
+      wedge.planes.push_back({1.0, 0.0, 0.0, -3.5, (seed & 1) != 0});
+      wedge.planes.push_back({0.0, 0.0, 0.0, 0.0, false});
+      std::vector<std::uint64_t> expected(49), actual(49);
+      kScalarKernel.inside(wedge, pixels.blocks, pixels.sets.data(), expected.data());
+      for (std::uint64_t bits : expected) found += static_cast<std::size_t>(std::popcount(bits));
+      for (const Kernel& kernel : simd_kernels()) {
+        kernel.inside(wedge, pixels.blocks, pixels.sets.data(), actual.data());
+        ASSERT_EQ(actual, expected) << kernel.name << " seed " << seed;
+      }
+    }
+  }
+  EXPECT_GT(found, 1000u);
+}
+
+TEST(Kernel, EveryInstructionSetDecidesUmbraAlike) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    std::mt19937 random(seed);
+    const Pixels pixels = random_pixels(random, 49);
+    const Plane plane{0.01, -0.02, 0.6, -0.2, (seed & 1) != 0};
+    const ZInterval interval{pixels.depths[64 + 3], 0.75};
+    std::vector<UmbraBits> expected(49), actual(49);
+    kScalarKernel.umbra(plane, interval, pixels.blocks, pixels.sets.data(), expected.data());
+    for (const Kernel& kernel : simd_kernels()) {
+      kernel.umbra(plane, interval, pixels.blocks, pixels.sets.data(), actual.data());
+      for (std::size_t i = 0; i < 49; ++i) {
+        const std::uint64_t set = pixels.sets[i];
+        ASSERT_EQ(actual[i].inner & set, expected[i].inner) << kernel.name << " seed " << seed;
+        ASSERT_EQ(actual[i].before & set, expected[i].before) << kernel.name << " seed " << seed;
+        ASSERT_EQ(actual[i].beyond & set, expected[i].beyond) << kernel.name << " seed " << seed;
+      }
+    }
+  }
+}
+
+TEST(Kernel, EveryInstructionSetGivesTheSameWords) {
+  std::set<std::size_t> kinds;
+  std::size_t partial = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    std::mt19937 random(seed);
+    const traces::Trace trace = test::random_tetrahedra(random, 56, 56, 6);
+    const Pixels pixels = random_pixels(random, 49);
+    for (std::uint32_t w = 0; w < 6; ++w) {
+      const Primitive wedge = wedge_primitive(trace.view(), ZMethod::pass, w);
+      kinds.insert(wedge.terms.index());
+      const double one = word_one(seed % 2 == 0 ? LiFormat::exact : LiFormat::paper255);
+      std::size_t count = 0;
+      for (std::uint64_t set : pixels.sets) count += static_cast<std::size_t>(std::popcount(set));
+      constexpr std::int64_t kGuard = 0x5a5a5a5a;
+      std::vector<std::int64_t> expected(count + 1, kGuard), actual(count + 1, kGuard);
+      kScalarKernel.words(wedge.terms, one, pixels.blocks, pixels.sets.data(), expected.data());
+      for (std::int64_t word : expected) {
+        partial += word != 0 && word != static_cast<std::int64_t>(one) ? 1 : 0;
+      }
+      for (const Kernel& kernel : simd_kernels()) {
+        kernel.words(wedge.terms, one, pixels.blocks, pixels.sets.data(), actual.data());
+        ASSERT_EQ(actual, expected) << kernel.name << " seed " << seed;
+      }
+    }
+  }
+  EXPECT_EQ(kinds.size(), 3u) << "linear, rectangle, sphere";
+  EXPECT_GT(partial, 10000u);
+}
+
+}  // namespace
+}  // namespace wedgesim::model
