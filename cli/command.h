@@ -17,5 +17,7 @@ Command add_scenes(CLI::App& program);
 Command add_render(CLI::App& program);
 Command add_trace(CLI::App& program);
 Command add_dump(CLI::App& program);
+Command add_count(CLI::App& program);
+Command add_study(CLI::App& program);
 
 }  // namespace wedgesim::cli

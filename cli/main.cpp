@@ -16,8 +16,10 @@ constexpr int kCheckFailed = 1;
 constexpr int kBadInput = 2;
 
 std::vector<Command> add_commands(CLI::App& program) {
-  std::vector<Command> commands{add_scenes(program), add_render(program), add_trace(program),
-                                add_dump(program)};
+  std::vector<Command> commands;
+  for (const auto add : {add_scenes, add_render, add_trace, add_dump, add_count, add_study}) {
+    commands.push_back(add(program));
+  }
   // What CLI11 does not know is left over, so that one place can say what would be known.
   program.allow_extras();
   for (const Command& command : commands) command.app->allow_extras();
