@@ -14,7 +14,13 @@ namespace {
 struct OutlineRay {
   std::size_t apex = 0;  // 0 begin, 1 end
   glm::dvec3 direction{0.0};
+  glm::dvec3 side{0.0};  // inward normal of the side from this ray to the next; 0 bounds nothing
 };
+
+// Rays this much closer together than others would span a side that is mostly rounding.
+constexpr double kLeastSpread = 1e-6;
+
+constexpr std::uint32_t kNoPlane = 0xffffffffU;
 
 using Edge = std::array<glm::dvec3, 2>;
 
@@ -36,12 +42,21 @@ std::vector<OutlineRay> rectangle_outline(const Light& light, const Edge& edge) 
   }
   std::vector<OutlineRay> outline;
   for (const std::size_t i : convex_hull_indices(slopes)) outline.push_back(rays[i]);
+  double widest = 0.0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    outline[i].side = glm::cross(outline[i].direction, outline[(i + 1) % outline.size()].direction);
+    widest = std::max(widest, glm::length(outline[i].side));
+  }
+  for (OutlineRay& ray : outline) {
+    if (glm::length(ray.side) < kLeastSpread * widest) ray.side = glm::dvec3(0.0);
+  }
   return outline;
 }
 
-// Unit normals of planes that touch the sphere and the edge, in order around the edge. The normals
-// n with n·(e − c) ≥ r form a cap about the direction to e; those that serve both ends lie in the
-// intersection of two caps, whose corners are the planes through the whole edge.
+// Unit normals of planes that touch the sphere and the edge, into the penumbra, counter-clockwise
+// about the way of the light. The normals n with n·(e − c) ≥ r form a cap about the direction to e;
+// those that serve both ends lie in the intersection of two caps, whose corners are the planes
+// through the whole edge.
 struct SphereNormal {
   glm::dvec3 normal;
   bool at_begin, at_end;  // which ends its plane passes through
@@ -65,26 +80,30 @@ std::vector<SphereNormal> sphere_normals(const Light& light, const Edge& edge) {
   const auto corner_cosine = [&](std::size_t i) {
     return (cosine[1 - i] - cosine[i] * cos_between) / (sine[i] * sin_between);
   };
-  const bool lens = sin_between > 1e-12 && std::abs(corner_cosine(0)) < 1.0 - 1e-9 &&
+  const bool lens = sin_between > kLeastSpread && std::abs(corner_cosine(0)) < 1.0 - 1e-9 &&
                     std::abs(corner_cosine(1)) < 1.0 - 1e-9;
   std::vector<SphereNormal> normals;
   if (!lens) {
-    // One cone holds the other: a pyramid about the cone of the nearer end.
+    // One cone holds the other, or nearly so: a pyramid about the cone of the nearer end, opened
+    // until it holds both.
     const std::size_t i = distance[0] <= distance[1] ? 0 : 1;
+    const double between = std::atan2(sin_between, cos_between);
+    const double excess = std::acos(cosine[i]) + between - std::acos(cosine[1 - i]);
+    const double cap = std::acos(cosine[i]) - std::max(excess, 0.0);
     const glm::dvec3 helper = std::abs(axis[i].x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 p = glm::normalize(glm::cross(axis[i], helper));
     const glm::dvec3 q = glm::cross(axis[i], p);
     for (int k = 0; k < 6; ++k) {
       const double angle = 2.0 * M_PI * k / 6.0;
       normals.push_back(
-          {cosine[i] * axis[i] + sine[i] * (std::cos(angle) * p + std::sin(angle) * q), i == 0,
-           i == 1});
+          {std::cos(cap) * axis[i] + std::sin(cap) * (std::cos(angle) * p + std::sin(angle) * q),
+           i == 0, i == 1});
     }
     return normals;
   }
   const glm::dvec3 side = w / sin_between;
-  // Around axis i, from the corner on `side` by the arc to the other corner: both corners and two
-  // normals between them for each arc.
+  // Around axis i, from one corner of the caps towards the other: the corner it starts from and two
+  // normals between them.
   const auto arc = [&](std::size_t i, double from, double to) {
     const glm::dvec3 towards = glm::normalize(axis[1 - i] - cos_between * axis[i]);
     const double half = std::acos(corner_cosine(i));
@@ -96,24 +115,45 @@ std::vector<SphereNormal> sphere_normals(const Light& light, const Edge& edge) {
            corner || i == 0, corner || i == 1});
     }
   };
-  arc(0, 1.0, -1.0);
-  arc(1, -1.0, 1.0);
+  arc(0, -1.0, 1.0);
+  arc(1, 1.0, -1.0);
   return normals;
 }
 
 std::vector<OutlineRay> sphere_outline(const Light& light, const Edge& edge) {
   const std::vector<SphereNormal> normals = sphere_normals(light, edge);
-  const glm::dvec3 away = glm::normalize(0.5 * (edge[0] + edge[1]) - light.centre);
   std::vector<OutlineRay> rays;
   for (std::size_t k = 0; k < normals.size(); ++k) {
     const SphereNormal& a = normals[k];
     const SphereNormal& b = normals[(k + 1) % normals.size()];
-    glm::dvec3 direction = glm::cross(a.normal, b.normal);
-    if (glm::dot(direction, away) < 0.0) direction = -direction;
     const bool share_begin = a.at_begin && b.at_begin;
-    rays.push_back({share_begin ? 0U : 1U, glm::normalize(direction)});
+    rays.push_back(
+        {share_begin ? 0U : 1U, glm::normalize(glm::cross(a.normal, b.normal)), b.normal});
   }
   return rays;
+}
+
+// Leaves as many sides as a wedge can hold, without those most parallel to their neighbours: more
+// come from rounding alone, and fewer planes bound more.
+void drop_surplus_sides(std::vector<OutlineRay>& rays) {
+  for (;;) {
+    std::vector<OutlineRay*> sides;
+    for (OutlineRay& ray : rays) {
+      if (ray.side != glm::dvec3(0.0)) sides.push_back(&ray);
+    }
+    if (sides.size() < kMaxPlanes) return;
+    OutlineRay* surplus = nullptr;
+    double least_turn = 2.0;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const double turn = glm::length(glm::cross(
+          glm::normalize(sides[i]->side), glm::normalize(sides[(i + 1) % sides.size()]->side)));
+      if (turn < least_turn) {
+        least_turn = turn;
+        surplus = sides[i];
+      }
+    }
+    surplus->side = glm::dvec3(0.0);
+  }
 }
 
 }  // namespace
@@ -130,55 +170,41 @@ WorldWedge coverage_wedge(const Light& light, const glm::dvec3& begin, const glm
   std::vector<OutlineRay> rays = light.shape == LightShape::rectangle
                                      ? rectangle_outline(light, edge)
                                      : sphere_outline(light, edge);
+  drop_surplus_sides(rays);
   WorldWedge wedge;
-  if (rays.size() < 3) return wedge;
   const std::size_t n = rays.size();
+  std::vector<std::uint32_t> plane_of(n, kNoPlane);  // of the side after each ray
+  for (std::size_t i = 0; i < n; ++i) {
+    if (rays[i].side == glm::dvec3(0.0)) continue;
+    const glm::dvec3 unit = glm::normalize(rays[i].side);
+    plane_of[i] = static_cast<std::uint32_t>(wedge.planes.size());
+    wedge.planes.emplace_back(unit, -std::min(glm::dot(unit, begin), glm::dot(unit, end)));
+  }
+  if (wedge.planes.size() < 3) return {};
+  // A side without a plane of its own is next to rounding: it takes the next one's.
+  for (std::size_t i = 2 * n; i-- > 0;) {
+    if (plane_of[i % n] == kNoPlane) plane_of[i % n] = plane_of[(i + 1) % n];
+  }
 
   wedge.vertices = {begin, end};
   for (const OutlineRay& ray : rays) {
     wedge.vertices.push_back(end_plane.reach(edge[ray.apex] - ray.direction, edge[ray.apex]));
   }
-  const glm::dvec3 away = 0.5 * (begin + end) - light.centre;
-  glm::dvec3 turn(0.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    turn += glm::cross(rays[i].direction, rays[(i + 1) % n].direction);
-  }
-  // Counter-clockwise about the way of the light: then d_i × d_{i+1} points inwards.
-  const bool reversed = glm::dot(turn, away) < 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t j = (i + 1) % n;
-    const std::size_t from = reversed ? j : i;
-    const std::size_t to = reversed ? i : j;
-    const glm::dvec3 normal = glm::cross(rays[from].direction, rays[to].direction);
-    const double length = glm::length(normal);
-    if (length == 0.0) continue;
-    const glm::dvec3 unit = normal / length;
-    const double offset = -std::min(glm::dot(unit, begin), glm::dot(unit, end));
-    WedgeFace face;
-    face.plane = static_cast<std::uint32_t>(wedge.planes.size());
-    wedge.planes.emplace_back(unit, offset);
-    const auto apex_from = static_cast<std::uint32_t>(rays[from].apex);
-    const auto apex_to = static_cast<std::uint32_t>(rays[to].apex);
-    const auto base_from = static_cast<std::uint32_t>(2 + from);
-    const auto base_to = static_cast<std::uint32_t>(2 + to);
-    face.corners = {apex_to, base_to, base_from, apex_from};
-    if (apex_to == apex_from) face.corners.pop_back();
-    wedge.faces.push_back(std::move(face));
-  }
   WedgeFace bottom;
   bottom.plane = static_cast<std::uint32_t>(wedge.planes.size());
   wedge.planes.push_back(end_plane.plane);
   for (std::size_t i = 0; i < n; ++i) {
-    bottom.corners.push_back(static_cast<std::uint32_t>(2 + (reversed ? n - 1 - i : i)));
+    const std::size_t j = (i + 1) % n;
+    const auto apex_from = static_cast<std::uint32_t>(rays[i].apex);
+    const auto apex_to = static_cast<std::uint32_t>(rays[j].apex);
+    const auto base_from = static_cast<std::uint32_t>(2 + i);
+    const auto base_to = static_cast<std::uint32_t>(2 + j);
+    WedgeFace face{plane_of[i], {apex_to, base_to, base_from, apex_from}};
+    if (apex_to == apex_from) face.corners.pop_back();
+    wedge.faces.push_back(std::move(face));
+    bottom.corners.push_back(base_from);
   }
   wedge.faces.push_back(std::move(bottom));
-  // More sides than the format holds can come from rounding alone: fewer planes bound more.
-  while (wedge.planes.size() > kMaxPlanes) {
-    wedge.planes.erase(wedge.planes.end() - 2);
-    for (WedgeFace& face : wedge.faces) {
-      face.plane = std::min(face.plane, static_cast<std::uint32_t>(wedge.planes.size() - 1));
-    }
-  }
   return wedge;
 }
 
