@@ -1,0 +1,104 @@
+#include "functional/geometry/polyhedron.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/functional/geometry/closed_surface.h"
+#include "tests/functional/random.h"
+
+namespace wedgesim::functional {
+namespace {
+
+Bounds unit_box() {
+  Bounds box;
+  box.grow(glm::dvec3(0.0));
+  box.grow(glm::dvec3(1.0));
+  return box;
+}
+
+bool inside(const std::vector<glm::dvec4>& planes, const glm::dvec3& p) {
+  for (const glm::dvec4& plane : planes) {
+    if (glm::dot(glm::dvec3(plane), p) + plane.w < 0.0) return false;
+  }
+  return true;
+}
+
+TEST(Polyhedron, WithoutPlanesItIsTheBox) {
+  const WorldWedge cube = intersect_half_spaces({}, unit_box());
+  EXPECT_EQ(cube.faces.size(), 6U);
+  EXPECT_EQ(cube.vertices.size(), 8U);
+  EXPECT_EQ(cube.planes.size(), 6U);
+  EXPECT_NEAR(sums_of(cube).volume6, 6.0, 1e-12);
+  EXPECT_EQ(faults_of(cube).unmatched_edges, 0);
+}
+
+TEST(Polyhedron, CornerCutOff) {
+  const glm::dvec3 n = glm::normalize(glm::dvec3(1.0));
+  const std::vector<glm::dvec4> planes{{n, -glm::dot(n, glm::dvec3(0.5, 0.0, 0.0))}};
+  const WorldWedge rest = intersect_half_spaces(planes, unit_box());
+  EXPECT_EQ(rest.faces.size(), 7U);
+  EXPECT_NEAR(sums_of(rest).volume6, 6.0 - 0.125, 1e-12);
+  EXPECT_EQ(rest.planes.front(), planes.front()) << "the given planes come first";
+}
+
+TEST(Polyhedron, NothingInsideIsNoFaces) {
+  const std::vector<glm::dvec4> planes{{1, 0, 0, -0.6}, {-1, 0, 0, 0.4}};
+  EXPECT_TRUE(intersect_half_spaces(planes, unit_box()).faces.empty());
+  EXPECT_EQ(intersect_half_spaces(planes, unit_box()).planes.size(), 2U);
+}
+
+// Is the surface closed, convex and outward, with each edge once in each direction, and its volume
+// that of the points inside all planes?
+TEST(Polyhedron, RandomPlanes) {
+  Random random(95);
+  int cut = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::vector<glm::dvec4> planes;
+    const int count = random.whole(1, 7);
+    for (int k = 0; k < count; ++k) {
+      const glm::dvec3 n = random.direction();
+      const glm::dvec3 p = random.in_box(glm::dvec3(0.0), glm::dvec3(1.0));
+      planes.emplace_back(n, 0.3 - glm::dot(n, p));
+    }
+    const WorldWedge volume = intersect_half_spaces(planes, unit_box());
+    if (volume.faces.empty()) continue;
+    ++cut;
+    const SurfaceFaults faults = faults_of(volume);
+    ASSERT_LT(faults.not_planar, 1e-9) << "case " << i;
+    ASSERT_LT(faults.not_outside, 1e-9) << "case " << i;
+    ASSERT_LT(faults.not_closed, 1e-9) << "case " << i;
+    ASSERT_EQ(faults.wrong_way, 0) << "case " << i;
+    ASSERT_EQ(faults.unmatched_edges, 0) << "case " << i;
+    if (i % 50 != 0) continue;
+    int hits = 0;
+    constexpr int kSamples = 4000;
+    for (int k = 0; k < kSamples; ++k) {
+      hits += inside(planes, random.in_box(glm::dvec3(0.0), glm::dvec3(1.0))) ? 1 : 0;
+    }
+    ASSERT_NEAR(sums_of(volume).volume6 / 6.0, static_cast<double>(hits) / kSamples, 0.04);
+  }
+  EXPECT_GT(cut, 1500);
+}
+
+// Planes through vertices and along faces of the box.
+TEST(Polyhedron, PlanesThroughCorners) {
+  Random random(96);
+  for (int i = 0; i < 3000; ++i) {
+    std::vector<glm::dvec4> planes;
+    for (int k = 0; k < 4; ++k) {
+      const glm::dvec3 n(random.whole(-1, 1), random.whole(-1, 1), random.whole(-1, 1));
+      if (n == glm::dvec3(0.0)) continue;
+      planes.emplace_back(n, 0.5 * random.whole(-2, 4));
+    }
+    const WorldWedge volume = intersect_half_spaces(planes, unit_box());
+    if (volume.faces.empty()) continue;
+    const SurfaceFaults faults = faults_of(volume);
+    ASSERT_LT(faults.not_planar, 1e-12) << "case " << i;
+    ASSERT_LT(faults.not_outside, 1e-12) << "case " << i;
+    ASSERT_LT(faults.not_closed, 1e-12) << "case " << i;
+    ASSERT_EQ(faults.wrong_way, 0) << "case " << i;
+    ASSERT_EQ(faults.unmatched_edges, 0) << "case " << i;
+  }
+}
+
+}  // namespace
+}  // namespace wedgesim::functional
