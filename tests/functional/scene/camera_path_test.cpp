@@ -35,6 +35,10 @@ TEST(CameraPath, CatmullRomHasTheSlopeOfTheNeighbours) {
   const glm::dvec3 eye = camera_at({}, kKeys, Interpolation::catmull_rom, 2).eye;
   EXPECT_DOUBLE_EQ(eye.x, (9.0 * 4.0 - 4.0) / 16.0);
   EXPECT_DOUBLE_EQ(eye.y, -2.0 / 16.0);
+  // The second piece: 0, 4, 4, 4 in x and 0, 0, 2, 2 in y.
+  const glm::dvec3 later = camera_at({}, kKeys, Interpolation::catmull_rom, 5).eye;
+  EXPECT_DOUBLE_EQ(later.x, (9.0 * 8.0 - 4.0) / 16.0);
+  EXPECT_DOUBLE_EQ(later.y, (9.0 * 2.0 - 2.0) / 16.0);
 }
 
 TEST(CameraPath, KeepsTheRestOfTheCamera) {

@@ -52,6 +52,26 @@ TEST(Triangulate, SquareWithTwoHolesInARow) {
   EXPECT_TRUE(edges_match(contours, triangles));
 }
 
+TEST(Triangulate, BridgesGoRoundWhatIsInTheWay) {
+  // The corner nearest to the hole's right end is the tip of a spike behind a thin wall.
+  std::vector<GridPoint> points;
+  Contours contours;
+  add_contour(points, contours,
+              {{0, 0}, {100, 0}, {100, 100}, {62, 100}, {62, 20}, {60, 20}, {60, 100}, {0, 100}});
+  add_contour(points, contours, {{40, 80}, {50, 90}, {55, 80}});
+  std::vector<GridPoint> more;
+  Contours walls;
+  add_contour(
+      more, walls,
+      {{0, 0}, {100, 0}, {64, 80}, {100, 100}, {62, 100}, {62, 20}, {60, 20}, {60, 100}, {0, 100}});
+  add_contour(more, walls, {{40, 80}, {50, 90}, {55, 80}});
+  for (const auto& [p, c] : {std::pair(points, contours), std::pair(more, walls)}) {
+    const auto triangles = triangulate(p, c);
+    EXPECT_EQ(triangles.size(), p.size() + 2 - 2);
+    EXPECT_TRUE(edges_match(c, triangles));
+  }
+}
+
 TEST(Triangulate, CollinearCornersGiveNoEmptyTriangle) {
   std::vector<GridPoint> points;
   Contours contours;
