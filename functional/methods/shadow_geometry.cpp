@@ -222,6 +222,7 @@ class Builder {
     }
     if (wedge != traces::kNone && polygon != traces::kNone) {
       trace_.wedges[wedge].mutate_umbra(polygon);
+      trace_.wedges[wedge].mutate_umbra_plane(trace_.umbra_polygons[polygon].plane());
     }
   }
 
