@@ -95,5 +95,23 @@ TEST(NearPyramid, MayMeetVolumes) {
   }
 }
 
+// Does a plane of the volume alone tell that it misses, where it reaches round the pyramid?
+TEST(NearPyramid, VolumesThatReachRoundIt) {
+  const Window window = plain_window();
+  const NearPyramid pyramid(window);
+  const glm::dvec3 n = glm::normalize(glm::dvec3(1.0, 1.0, -0.3));
+  double reach = 0.0;
+  for (const glm::dvec3& p : window.near_rectangle) reach = std::max(reach, glm::dot(n, p));
+  Bounds bounds;
+  bounds.grow(glm::dvec3(-50.0));
+  bounds.grow(glm::dvec3(50.0));
+  const auto beyond = [&](double distance) {
+    const std::vector<glm::dvec4> planes{glm::dvec4(n, -distance)};
+    return intersect_half_spaces(planes, bounds);
+  };
+  EXPECT_FALSE(pyramid.may_meet(beyond(reach + 1e-6)));
+  EXPECT_TRUE(pyramid.may_meet(beyond(reach - 1e-6)));
+}
+
 }  // namespace
 }  // namespace wedgesim::functional

@@ -1,0 +1,105 @@
+#include "functional/methods/frame.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "functional/scene/scene_file.h"
+
+namespace wedgesim::functional {
+namespace {
+
+namespace fb = traces::fb;
+
+Scene small(const std::string& name) {
+  SceneOptions options;
+  options.size = {80, 53};
+  return load_scene(name, options);
+}
+
+// Does the trace say all that the renderer knows of frame, camera and light?
+TEST(Frame, HeaderDescribesTheScene) {
+  const Scene scene = small("plain-columns");
+  const Frame frame = make_frame(scene);
+  const traces::Header& header = frame.trace.header;
+  EXPECT_EQ(header.name, scene.name);
+  EXPECT_EQ(header.width, 80U);
+  EXPECT_EQ(header.height, 53U);
+  EXPECT_EQ(header.depth_format, fb::DepthFormat_unorm24);
+  EXPECT_EQ(header.camera.eye.x(), scene.camera.eye.x);
+  ASSERT_EQ(header.lights.size(), 1U);
+  EXPECT_EQ(header.lights[0].shape, fb::LightShape_rectangle);
+  EXPECT_EQ(header.casters.size(), 8U);
+  EXPECT_EQ(frame.trace.depth, frame.depth.words);
+  // Light space from window space: a corner of the light, seen through both matrices.
+  const glm::dvec3 corner = scene.light.centre + scene.light.half_u - scene.light.half_v;
+  const glm::dvec4 h = frame.window.window_from_world * glm::dvec4(corner, 1.0);
+  const auto& m = *header.lights[0].light_from_window.columns();
+  const auto row = [&](std::uint16_t r) {
+    const auto at = [&](std::uint16_t c) { return m[static_cast<std::uint16_t>(4 * c + r)]; };
+    return (at(0) * h.x + at(1) * h.y + at(2) * h.z + at(3) * h.w);
+  };
+  EXPECT_NEAR(row(0) / row(3), 1.0, 1e-9);
+  EXPECT_NEAR(row(1) / row(3), -1.0, 1e-9);
+  EXPECT_NEAR(row(2) / row(3), 0.0, 1e-9);
+}
+
+TEST(Frame, ExpectedLightIsOptional) {
+  FrameOptions options;
+  options.expected_li = false;
+  const Frame without = make_frame(small("plain-columns"), options);
+  EXPECT_TRUE(without.trace.expected_li.empty());
+  EXPECT_TRUE(without.trace.li_sensitivity.empty());
+  const Frame with = make_frame(small("plain-columns"));
+  EXPECT_EQ(with.trace.expected_li.size(), 80U * 53U);
+  EXPECT_EQ(with.trace.li_sensitivity.size(), 80U * 53U);
+  EXPECT_EQ(with.trace.wedges.size(), without.trace.wedges.size());
+}
+
+// z-pass by itself where it is right, z-fail where the eye is in shadow, where z-pass is refused.
+TEST(Frame, ZMethods) {
+  EXPECT_EQ(make_frame(small("plain-columns")).trace.header.expected_z_method, fb::ZMethod_pass);
+  const Scene in_shadow = small("eye-in-shadow");
+  EXPECT_EQ(make_frame(in_shadow).trace.header.expected_z_method, fb::ZMethod_fail);
+  FrameOptions options;
+  options.z_method = fb::ZMethod_pass;
+  EXPECT_THROW(make_frame(in_shadow, options), InputError);
+  options.z_method = fb::ZMethod_fail;
+  EXPECT_EQ(make_frame(small("plain-columns"), options).trace.header.expected_z_method,
+            fb::ZMethod_fail);
+}
+
+// How far does a coarser depth change the light? By no more than it says, nearly everywhere.
+TEST(Frame, DepthFormatsAgreeWithinSensitivity) {
+  const Scene scene = small("plain-columns");
+  const Frame base = make_frame(scene);
+  for (const fb::DepthFormat format :
+       {fb::DepthFormat_float32, fb::DepthFormat_float32_reversed, fb::DepthFormat_unorm16}) {
+    FrameOptions options;
+    options.depth_format = format;
+    const Frame frame = make_frame(scene, options);
+    int off = 0;
+    for (std::size_t i = 0; i < base.trace.expected_li.size(); ++i) {
+      const double allowed = 1e-4 + 2.0 * static_cast<double>(base.trace.li_sensitivity[i] +
+                                                              frame.trace.li_sensitivity[i]);
+      if (std::abs(frame.trace.expected_li[i] - base.trace.expected_li[i]) > allowed) ++off;
+    }
+    EXPECT_LE(off, format == fb::DepthFormat_unorm16 ? 40 : 2) << fb::EnumNameDepthFormat(format);
+  }
+}
+
+// The same bits every time.
+TEST(Frame, IsDeterministic) {
+  const Scene scene = small("columns");
+  const Frame one = make_frame(scene);
+  const Frame two = make_frame(scene);
+  EXPECT_EQ(one.trace.expected_li, two.trace.expected_li);
+  EXPECT_EQ(one.trace.li_sensitivity, two.trace.li_sensitivity);
+  EXPECT_EQ(one.trace.depth, two.trace.depth);
+  EXPECT_EQ(one.trace.indices, two.trace.indices);
+}
+
+}  // namespace
+}  // namespace wedgesim::functional
