@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "base/error.h"
-#include "model/count/shared_words.h"
+#include "model/count/bits.h"
 #include "model/count/tally.h"
 #include "model/count/traffic.h"
 #include "traces/record.h"
@@ -136,9 +136,8 @@ void Traversal::count_primitive(const Primitive& primitive, Worker& worker) {
     if (footprint.blocks().empty()) continue;
     image_.add(primitive, footprint, frame_);
     for (std::size_t i = 0; i < footprint.blocks().size(); ++i) {
-      worker.sums.pixels_covered += static_cast<std::uint64_t>(std::popcount(footprint.outline(i)) +
-                                                               std::popcount(footprint.umbra(i)));
-      worker.sums.pixels_inside += static_cast<std::uint64_t>(std::popcount(footprint.inside(i)));
+      worker.sums.pixels_covered += bit_count(footprint.outline(i)) + bit_count(footprint.umbra(i));
+      worker.sums.pixels_inside += bit_count(footprint.inside(i));
     }
     for (TileTally& tally : worker.tallies) tally.count(primitive, footprint);
   }
@@ -183,8 +182,8 @@ void Traversal::finish_config(const TileSize& size, std::size_t index, const Fra
   counters.pixels_inside = sums_.pixels_inside;
   counters.degenerate_wedges = sums_.degenerate_wedges;
   counters.wedge_bytes = sums_.record_bytes + (three_pass ? sums_.umbra_record_bytes : 0);
-  counters.z_reads_min = count_bits(run.z_touched);
-  counters.li_writes_min = count_bits(run.li_touched);
+  counters.z_reads_min = bit_count(run.z_touched);
+  counters.li_writes_min = bit_count(run.li_touched);
   counters.z_reads_floor = image_.pixels_inside_any();
   counters.li_writes_floor = summary.li_writes_floor;
   counters.li_overflow_pixels = three_pass ? summary.any_out_of_range : summary.li_out_of_range;

@@ -2,30 +2,40 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <limits>
 
 namespace wedgesim::model {
 namespace {
 
-// The pixels of 8 row spans within the block at bx.
-std::uint64_t block_bits(const Span* spans, int first_x) {
+// The pixels of a polygon's 8 row spans within the block at first_x.
+std::uint64_t block_bits(const Footprint::SpanRows& rows, int first_x) {
+  if (first_x + kBlock <= rows.any_begin || first_x >= rows.any_end) return 0;
+  if (first_x >= rows.all_begin && first_x + kBlock <= rows.all_end) return ~std::uint64_t{0};
   std::uint64_t bits = 0;
-  for (int row = 0; row < kBlock; ++row) {
-    const int begin = std::max(spans[row].begin - first_x, 0);
-    const int end = std::min(spans[row].end - first_x, kBlock);
+  for (std::size_t row = 0; row < kBlock; ++row) {
+    const int begin = std::max(rows.spans[row].begin - first_x, 0);
+    const int end = std::min(rows.spans[row].end - first_x, kBlock);
     if (begin >= end) continue;
     bits |= std::uint64_t{(1U << end) - (1U << begin)} << (kBlock * row);
   }
   return bits;
 }
 
-void fill_spans(const Outline& outline, const ZFrame& frame, int first_y, Span* spans) {
+Footprint::SpanRows span_rows(const Outline& outline, const ZFrame& frame, int first_y) {
+  Footprint::SpanRows rows;
+  rows.any_begin = rows.all_end = frame.width();
   for (int row = 0; row < kBlock; ++row) {
     const int y = first_y + row;
     const bool possible = y >= outline.row_begin() && y < outline.row_end() && y < frame.height();
-    spans[row] = possible ? outline.row(y, frame.width()) : Span{};
+    const Span span = possible ? outline.row(y, frame.width()) : Span{};
+    rows.spans[static_cast<std::size_t>(row)] = span;
+    rows.all_begin = std::max(rows.all_begin, span.begin);
+    rows.all_end = std::min(rows.all_end, span.end);
+    if (span.begin == span.end) continue;
+    rows.any_begin = std::min(rows.any_begin, span.begin);
+    rows.any_end = std::max(rows.any_end, span.end);
   }
+  return rows;
 }
 
 }  // namespace
@@ -35,7 +45,8 @@ void Footprint::build(const Primitive& primitive, const ZFrame& frame, int band,
   face_count_ = primitive.faces.size();
   find_blocks(primitive, frame, band);
   test_pixels(primitive, kernel);
-  evaluate_words(primitive, kernel, one);
+  words_.resize(std::max(words_.size(), blocks_.size() * kBlockPixels));
+  kernel.words(primitive.terms, one, blocks_, inside_.data(), negated_.data(), words_.data());
 }
 
 void Footprint::find_blocks(const Primitive& primitive, const ZFrame& frame, int band) {
@@ -62,37 +73,35 @@ void Footprint::find_blocks(const Primitive& primitive, const ZFrame& frame, int
 }
 
 void Footprint::add_block_row(const Primitive& primitive, const ZFrame& frame, int by) {
-  spans_.resize((face_count_ + 1) * kBlock);
-  std::fill(spans_.begin(), spans_.end(), Span{});
-  for (std::size_t i = 0; i < face_count_; ++i) {
-    fill_spans(primitive.faces[i].outline, frame, by * kBlock, &spans_[i * kBlock]);
+  rows_.clear();
+  for (const RasterFace& face : primitive.faces) {
+    rows_.push_back(span_rows(face.outline, frame, by * kBlock));
   }
-  Span* umbra_spans = &spans_[face_count_ * kBlock];
   if (primitive.polygon) {
-    fill_spans(primitive.polygon->outline, frame, by * kBlock, umbra_spans);
+    rows_.push_back(span_rows(primitive.polygon->outline, frame, by * kBlock));
   }
   int begin = frame.width();
   int end = 0;
-  for (const Span& span : spans_) {
-    if (span.begin == span.end) continue;
-    begin = std::min(begin, span.begin);
-    end = std::max(end, span.end);
+  for (const SpanRows& rows : rows_) {
+    begin = std::min(begin, rows.any_begin);
+    end = std::max(end, rows.any_end);
   }
   for (int x = begin / kBlock * kBlock; x < end; x += kBlock) {
     std::uint64_t outline = 0;
     const std::size_t first_face = faces_.size();
     for (std::size_t i = 0; i < face_count_; ++i) {
-      faces_.push_back(block_bits(&spans_[i * kBlock], x));
+      faces_.push_back(block_bits(rows_[i], x));
       outline |= faces_.back();
     }
-    const std::uint64_t umbra = primitive.polygon ? block_bits(umbra_spans, x) : 0;
+    const std::uint64_t umbra = primitive.polygon ? block_bits(rows_.back(), x) : 0;
     if ((outline | umbra) == 0) {
       faces_.resize(first_face);
       continue;
     }
     const auto bx = static_cast<std::uint32_t>(x / kBlock);
     const auto block_y = static_cast<std::uint32_t>(by);
-    blocks_.push_back({bx, block_y, frame.z_of(frame.block(bx, block_y))});
+    const std::size_t block = frame.block(bx, block_y);
+    blocks_.push_back({bx, block_y, frame.z_of(block), frame.interval_of(block)});
     outline_.push_back(outline);
     umbra_.push_back(umbra);
   }
@@ -101,8 +110,8 @@ void Footprint::add_block_row(const Primitive& primitive, const ZFrame& frame, i
 void Footprint::test_pixels(const Primitive& primitive, const Kernel& kernel) {
   const std::size_t n = blocks_.size();
   inside_.assign(n, 0);
-  inner_.assign(n, 0);
   hits_.assign(n, 0);
+  negated_.assign(n, 0);
   if (primitive.wedge) kernel.inside(primitive, blocks_, outline_.data(), inside_.data());
   if (primitive.polygon && primitive.polygon->cap) {
     hits_ = umbra_;
@@ -119,34 +128,15 @@ void Footprint::test_pixels(const Primitive& primitive, const Kernel& kernel) {
                blocks_, scratch_.data(), umbra_bits_.data());
   for (std::size_t i = 0; i < n; ++i) {
     const UmbraBits& bits = umbra_bits_[i];
-    inner_[i] = bits.inner;
-    if (!polygon) continue;
-    // The one predicate: at pixels the polygon covers, z outside its interval decides first.
-    const std::uint64_t outside = umbra_[i] & (bits.before | bits.beyond);
-    inner_[i] =
-        (bits.inner & ~outside) | (outside & (polygon->eye_facing ? bits.beyond : bits.before));
-    hits_[i] = umbra_[i] & (polygon->hits_inner ? inner_[i] : ~inner_[i]);
-  }
-}
-
-void Footprint::evaluate_words(const Primitive& primitive, const Kernel& kernel, double one) {
-  first_word_.clear();
-  std::size_t count = 0;
-  for (std::uint64_t inside : inside_) {
-    first_word_.push_back(count);
-    count += static_cast<std::size_t>(std::popcount(inside));
-  }
-  first_word_.push_back(count);
-  words_.resize(count);
-  if (count == 0) return;
-  kernel.words(primitive.terms, one, blocks_, inside_.data(), words_.data());
-  if (!primitive.coverage) return;
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    std::int64_t* word = words_.data() + first_word_[i];
-    for_each_bit(inside_[i], [&](int bit) {
-      if ((inner_[i] >> bit & 1) == 0) *word = -*word;
-      ++word;
-    });
+    std::uint64_t inner = bits.inner;
+    if (polygon) {
+      // The one predicate: at pixels the polygon covers, z outside its interval decides first.
+      const std::uint64_t outside = umbra_[i] & (bits.before | bits.beyond);
+      inner =
+          (bits.inner & ~outside) | (outside & (polygon->eye_facing ? bits.beyond : bits.before));
+      hits_[i] = umbra_[i] & (polygon->hits_inner ? inner : ~inner);
+    }
+    if (primitive.coverage) negated_[i] = ~inner;
   }
 }
 

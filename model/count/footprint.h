@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,6 +19,13 @@ inline constexpr int kBandRows = 256;
 /// Reused from primitive to primitive to keep its memory.
 class Footprint {
  public:
+  /// What a polygon covers of the 8 rows of a row of blocks: each row's span, the pixels that some
+  /// row covers lie in [any_begin, any_end), and all rows cover [all_begin, all_end).
+  struct SpanRows {
+    std::array<Span, kBlock> spans;
+    int any_begin = 0, any_end = 0, all_begin = 0, all_end = 0;
+  };
+
   /// \param band  rows [band * kBandRows, (band + 1) * kBandRows) of the frame
   void build(const Primitive& primitive, const ZFrame& frame, int band, const Kernel& kernel,
              double one);
@@ -36,25 +44,23 @@ class Footprint {
   std::uint64_t umbra(std::size_t block) const { return umbra_[block]; }      // of the polygon
   std::uint64_t inside(std::size_t block) const { return inside_[block]; }
   std::uint64_t hits(std::size_t block) const { return hits_[block]; }
-  /// Signed words of the block's inside pixels, lowest bit first.
-  std::span<const std::int64_t> words(std::size_t block) const {
-    return {words_.data() + first_word_[block], words_.data() + first_word_[block + 1]};
+  /// What the block's 64 pixels contribute, signed; 0 outside. Undefined if none is inside.
+  const std::int64_t* words(std::size_t block) const {
+    return words_.data() + block * kBlockPixels;
   }
 
  private:
   void find_blocks(const Primitive& primitive, const ZFrame& frame, int band);
   void add_block_row(const Primitive& primitive, const ZFrame& frame, int by);
   void test_pixels(const Primitive& primitive, const Kernel& kernel);
-  void evaluate_words(const Primitive& primitive, const Kernel& kernel, double one);
 
   std::size_t face_count_ = 0;
   std::vector<Block> blocks_;
   std::vector<std::size_t> row_begin_;
-  std::vector<std::uint64_t> faces_, outline_, umbra_, inside_, hits_, inner_, scratch_;
+  std::vector<std::uint64_t> faces_, outline_, umbra_, inside_, hits_, negated_, scratch_;
   std::vector<UmbraBits> umbra_bits_;
-  std::vector<std::size_t> first_word_;
   std::vector<std::int64_t> words_;
-  std::vector<Span> spans_;  // (polygons, 8 rows) of the block row at hand
+  std::vector<SpanRows> rows_;  // of the faces, then of the umbra polygon, at the block row at hand
 };
 
 }  // namespace wedgesim::model

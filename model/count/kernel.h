@@ -14,6 +14,7 @@ namespace wedgesim::model {
 struct Block {
   std::uint32_t bx = 0, by = 0;
   const double* z = nullptr;  // 64 depths, row by row
+  ZInterval z_interval;       // around them
 };
 
 /// What the umbra polygon's plane and interval say at a block's pixels.
@@ -33,11 +34,11 @@ struct Kernel {
   /// \param interval  the polygon's
   void (*umbra)(const Plane& plane, ZInterval interval, std::span<const Block> blocks,
                 const std::uint64_t* candidates, UmbraBits* bits);
-  /// words[k] = the k-th pixel's contribution without its sign, over the pixels of sets[0],
-  /// sets[1], ..., each lowest bit first.
+  /// words[64*i + bit] = the contribution of a pixel of sets[i], with its sign changed if it is in
+  /// negated[i]; 0 at other pixels of a block whose set is not empty, undefined if it is.
   /// \param one  word_one of the format
   void (*words)(const LightTerms& terms, double one, std::span<const Block> blocks,
-                const std::uint64_t* sets, std::int64_t* words);
+                const std::uint64_t* sets, const std::uint64_t* negated, std::int64_t* words);
 };
 
 /// The plain loop, which says what the others must give.

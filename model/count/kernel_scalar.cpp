@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "model/count/bits.h"
 #include "model/count/kernel.h"
 
 namespace wedgesim::model {
@@ -40,12 +43,14 @@ void umbra(const Plane& plane, ZInterval interval, std::span<const Block> blocks
 }
 
 void words(const LightTerms& terms, double one, std::span<const Block> blocks,
-           const std::uint64_t* sets, std::int64_t* result) {
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
+           const std::uint64_t* sets, const std::uint64_t* negated, std::int64_t* result) {
+  for (std::size_t i = 0; i < blocks.size(); ++i, result += kBlockPixels) {
+    if (sets[i] != 0) std::fill_n(result, kBlockPixels, 0);
     for_each_bit(sets[i], [&](int bit) {
-      *result++ = to_word(
+      const std::int64_t word = to_word(
           contribution(terms, centre_x(blocks[i], bit), centre_y(blocks[i], bit), blocks[i].z[bit]),
           one);
+      result[bit] = (negated[i] >> bit & 1) != 0 ? -word : word;
     });
   }
 }

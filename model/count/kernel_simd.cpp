@@ -1,7 +1,7 @@
 // Compiled once for every instruction set (Highway); each gives the bits of kernel_scalar.cpp and
 // contribution.cpp: the same operations in the same order, no fused multiply-add.
+#include <algorithm>
 #include <array>
-#include <cstring>
 
 #include "model/count/atan.h"
 #include "model/count/kernel.h"
@@ -35,89 +35,154 @@ std::uint64_t sign_bits(V v) {
   return bytes[0];
 }
 
-// The planes of one wedge over one block: a*x of the 8 columns and b*y of the 8 rows are kept.
-struct BlockPlanes {
-  std::array<std::array<double, kBlock>, 8> ax, by;
+// The groups of lanes of a block's row.
+constexpr std::size_t kLanes = hn::MaxLanes(d);
+constexpr std::size_t kGroups = kBlock / kLanes;
+constexpr std::uint64_t kGroupBits = (std::uint64_t{1} << kLanes) - 1;
+using Row8 = std::array<V, kGroups>;
 
-  void place(std::size_t i, const Plane& plane, const Block& block) {
-    for (int k = 0; k < kBlock; ++k) {
-      ax[i][static_cast<std::size_t>(k)] = plane.a * (block.bx * 8.0 + k + 0.5);
-      by[i][static_cast<std::size_t>(k)] = plane.b * (block.by * 8.0 + k + 0.5);
+// One plane over one block: a*x of its 8 columns and b*y of its 8 rows are kept.
+struct BlockPlane {
+  std::array<double, kBlock> ax, by;
+  double c = 0.0, d = 0.0;
+  bool minus = false;
+
+  BlockPlane() = default;
+  HWY_INLINE BlockPlane(const Plane& plane, const Block& block)
+      : c(plane.c), d(plane.d), minus(plane.minus) {
+    for (std::size_t k = 0; k < kBlock; k += kLanes) {
+      const V centre = hn::Add(hn::Iota(HWY_NAMESPACE::d, static_cast<double>(k)), set(0.5));
+      const V x = hn::Add(set(block.bx * 8.0), centre);
+      const V y = hn::Add(set(block.by * 8.0), centre);
+      hn::StoreU(hn::Mul(set(plane.a), x), HWY_NAMESPACE::d, &ax[k]);
+      hn::StoreU(hn::Mul(set(plane.b), y), HWY_NAMESPACE::d, &by[k]);
     }
   }
-  V value(std::size_t i, const Plane& plane, std::size_t row, std::size_t column, V z) const {
-    const V ab = hn::Add(hn::LoadU(d, &ax[i][column]), set(by[i][row]));
-    return hn::Add(hn::Add(ab, hn::Mul(set(plane.c), z)), set(plane.d));
+  HWY_INLINE V value(std::size_t row, std::size_t group, V z) const {
+    const V ab = hn::Add(hn::LoadU(HWY_NAMESPACE::d, &ax[group * kLanes]), set(by[row]));
+    return hn::Add(hn::Add(ab, hn::Mul(set(c), z)), set(d));
   }
 };
 
-// Calls f(row, column, z, shift) for every group of lanes that holds a candidate.
+// Calls f(row) for the rows of a block that hold a candidate.
 template <typename F>
-void for_each_group(const Block& block, std::uint64_t candidates, F&& f) {
-  const std::size_t lanes = hn::Lanes(d);
-  const std::uint64_t group = (std::uint64_t{1} << lanes) - 1;
+HWY_INLINE void for_each_row(std::uint64_t candidates, F&& f) {
   for (std::size_t row = 0; row < kBlock; ++row) {
-    const std::uint64_t bits = candidates >> (8 * row) & 0xff;
-    if (bits == 0) continue;
-    for (std::size_t column = 0; column < kBlock; column += lanes) {
-      if ((bits >> column & group) == 0) continue;
-      const std::size_t shift = 8 * row + column;
-      f(row, column, hn::LoadU(d, block.z + shift), shift);
+    if ((candidates >> (8 * row) & 0xff) != 0) f(row);
+  }
+}
+
+HWY_INLINE Box box_of(const Block& block) {
+  const double x = block.bx * 8.0;
+  const double y = block.by * 8.0;
+  return {x, x + 8.0, y, y + 8.0, block.z_interval};
+}
+
+// The planes of a wedge that decide within a block. A plane that holds at all corners of the
+// block's box holds at its pixels (monotone rounding), one that holds at none excludes it.
+class DecidingPlanes {
+ public:
+  /// \return false if the whole block is outside
+  HWY_INLINE bool place(const Primitive& wedge, const Block& block) {
+    count_ = 0;
+    const ZInterval z = block.z_interval;
+    if (z.min > wedge.z.max || z.max < wedge.z.min) return false;
+    const Box box = box_of(block);
+    for (const Plane& plane : wedge.planes) {
+      const bool far_inside = plane.inward_c() >= 0.0;
+      if (!plane.reaches(box, far_inside ? z.max : z.min)) return false;
+      if (plane.holds(box, far_inside ? z.min : z.max)) continue;
+      planes_[count_++] = BlockPlane(plane, block);
+    }
+    return true;
+  }
+  std::span<const BlockPlane> planes() const { return {planes_.data(), count_}; }
+
+ private:
+  std::array<BlockPlane, 8> planes_;
+  std::size_t count_ = 0;
+};
+
+// Set bits where a point of a row is outside. No value is ever -0, so signs alone decide: outside
+// a plus plane if its value has one, outside a minus plane if it has none.
+HWY_INLINE std::uint64_t outside_bits(std::span<const BlockPlane> planes, ZInterval interval,
+                                      const double* z_of_row, std::size_t row) {
+  Row8 z;
+  Row8 outside;
+  for (std::size_t g = 0; g < kGroups; ++g) {
+    z[g] = hn::LoadU(d, z_of_row + g * kLanes);
+    outside[g] = hn::Or(hn::Sub(z[g], set(interval.min)), hn::Sub(set(interval.max), z[g]));
+  }
+  for (const BlockPlane& plane : planes) {
+    const V flip = set(plane.minus ? -0.0 : 0.0);
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      outside[g] = hn::Or(outside[g], hn::Xor(plane.value(row, g, z[g]), flip));
     }
   }
+  std::uint64_t bits = 0;
+  for (std::size_t g = 0; g < kGroups; ++g) {
+    bits |= (sign_bits(outside[g]) & kGroupBits) << (g * kLanes);
+  }
+  return bits;
 }
 
 void inside(const Primitive& wedge, std::span<const Block> blocks, const std::uint64_t* candidates,
             std::uint64_t* result) {
-  // No value is ever -0, so sign bits alone decide: a point is outside if a plus plane's value has
-  // one, or a minus plane's has none.
-  std::array<Plane, 8> planes;
-  std::size_t plus = 0;
-  std::size_t count = 0;
-  for (const Plane& plane : wedge.planes) {
-    if (!plane.minus) planes[count++] = plane;
-  }
-  plus = count;
-  for (const Plane& plane : wedge.planes) {
-    if (plane.minus) planes[count++] = plane;
-  }
-  const std::uint64_t group = (std::uint64_t{1} << hn::Lanes(d)) - 1;
-  BlockPlanes placed;
+  DecidingPlanes deciding;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    std::uint64_t outside_bits = 0;
-    if (candidates[i] != 0) {
-      for (std::size_t p = 0; p < count; ++p) placed.place(p, planes[p], blocks[i]);
-    }
-    for_each_group(
-        blocks[i], candidates[i], [&](std::size_t row, std::size_t column, V z, std::size_t shift) {
-          V outside = hn::Or(hn::Sub(z, set(wedge.z.min)), hn::Sub(set(wedge.z.max), z));
-          for (std::size_t p = 0; p < plus; ++p) {
-            outside = hn::Or(outside, placed.value(p, planes[p], row, column, z));
-          }
-          for (std::size_t p = plus; p < count; ++p) {
-            outside = hn::Or(outside, hn::Not(placed.value(p, planes[p], row, column, z)));
-          }
-          outside_bits |= (sign_bits(outside) & group) << shift;
-        });
-    result[i] = candidates[i] & ~outside_bits;
+    const Block& block = blocks[i];
+    result[i] = 0;
+    if (candidates[i] == 0 || !deciding.place(wedge, block)) continue;
+    result[i] = candidates[i];
+    const bool in_interval =
+        block.z_interval.min >= wedge.z.min && block.z_interval.max <= wedge.z.max;
+    if (in_interval && deciding.planes().empty()) continue;
+    std::uint64_t outside = 0;
+    for_each_row(candidates[i], [&](std::size_t row) HWY_ATTR {
+      outside |= outside_bits(deciding.planes(), wedge.z, block.z + 8 * row, row) << (8 * row);
+    });
+    result[i] &= ~outside;
   }
+}
+
+UmbraBits umbra_bits(const Plane& plane, ZInterval interval, const Block& block,
+                     std::uint64_t candidates) {
+  UmbraBits bits;
+  const BlockPlane placed(plane, block);
+  for_each_row(candidates, [&](std::size_t row) HWY_ATTR {
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      const std::size_t shift = 8 * row + g * kLanes;
+      const V z = hn::LoadU(d, block.z + shift);
+      const std::uint64_t negative = sign_bits(placed.value(row, g, z));
+      bits.inner |= ((plane.minus ? negative : ~negative) & kGroupBits) << shift;
+      bits.before |= (sign_bits(hn::Sub(z, set(interval.min))) & kGroupBits) << shift;
+      bits.beyond |= (sign_bits(hn::Sub(set(interval.max), z)) & kGroupBits) << shift;
+    }
+  });
+  return bits;
 }
 
 void umbra(const Plane& plane, ZInterval interval, std::span<const Block> blocks,
            const std::uint64_t* candidates, UmbraBits* result) {
-  const std::uint64_t group = (std::uint64_t{1} << hn::Lanes(d)) - 1;
-  BlockPlanes placed;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    UmbraBits bits;
-    if (candidates[i] != 0) placed.place(0, plane, blocks[i]);
-    for_each_group(
-        blocks[i], candidates[i], [&](std::size_t row, std::size_t column, V z, std::size_t shift) {
-          const std::uint64_t negative = sign_bits(placed.value(0, plane, row, column, z));
-          bits.inner |= ((plane.minus ? negative : ~negative) & group) << shift;
-          bits.before |= (sign_bits(hn::Sub(z, set(interval.min))) & group) << shift;
-          bits.beyond |= (sign_bits(hn::Sub(set(interval.max), z)) & group) << shift;
-        });
-    result[i] = bits;
+    const Block& block = blocks[i];
+    result[i] = {};
+    if (candidates[i] == 0) continue;
+    // Most blocks are on one side of the plane, and before, within or beyond the interval.
+    const ZInterval z = block.z_interval;
+    const Box box = box_of(block);
+    const bool far_inside = plane.inward_c() >= 0.0;
+    const bool none = !plane.reaches(box, far_inside ? z.max : z.min);
+    const bool all = !none && plane.holds(box, far_inside ? z.min : z.max);
+    const bool before = z.max < interval.min;
+    const bool beyond = z.min > interval.max;
+    const bool within = z.min >= interval.min && z.max <= interval.max;
+    if ((none || all) && (before || beyond || within)) {
+      const auto fill = [](bool set_all) { return set_all ? ~std::uint64_t{0} : 0; };
+      result[i] = {fill(all), fill(before), fill(beyond)};
+    } else {
+      result[i] = umbra_bits(plane, interval, block, candidates[i]);
+    }
   }
 }
 
@@ -297,64 +362,43 @@ V value_of(const SphereTerms& terms, const Point& point) {
   return hn::IfThenElseZero(alive, hn::Mul(area, set(0.5 / kPi)));
 }
 
-// Points gathered so that every lane has work.
-class Packed {
- public:
-  bool full() const { return count_ > kCapacity - kBlock; }
-  std::size_t count() const { return count_; }
-
-  void add(const Block& block, std::uint64_t bits) {
-    for_each_group(block, bits, [&](std::size_t row, std::size_t column, V z, std::size_t shift) {
-      std::array<std::uint8_t, 8> bytes{};
-      bytes[0] = static_cast<std::uint8_t>(bits >> shift);
-      const M mask = hn::LoadMaskBits(d, bytes.data());
-      const V x = hn::Add(hn::Iota(d, static_cast<double>(column)), set(block.bx * 8.0 + 0.5));
-      hn::StoreU(set(block.by * 8.0 + static_cast<double>(row) + 0.5), d, &y_[count_]);
-      hn::CompressStore(x, mask, d, &x_[count_]);
-      count_ += hn::CompressStore(z, mask, d, &z_[count_]);
-    });
-  }
-
-  /// Evaluates and forgets all points; returns the end of their words.
-  template <typename Terms>
-  std::int64_t* flush(const Terms& terms, double one, std::int64_t* words) {
-    std::array<std::int64_t, kCapacity + kBlock> rounded;
-    const auto magic = hn::BitCast(di, set(kRoundMagic));
-    for (std::size_t i = 0; i < count_; i += hn::Lanes(d)) {
-      const Point p{hn::LoadU(d, &x_[i]), hn::LoadU(d, &y_[i]), hn::LoadU(d, &z_[i])};
-      const V shifted = hn::Add(hn::Mul(value_of(terms, p), set(one)), set(kRoundMagic));
-      hn::StoreU(hn::Sub(hn::BitCast(di, shifted), magic), di, &rounded[i]);
-    }
-    std::memcpy(words, rounded.data(), count_ * sizeof(std::int64_t));
-    words += count_;
-    count_ = 0;
-    return words;
-  }
-
- private:
-  static constexpr std::size_t kCapacity = 256;
-  std::array<double, kCapacity + kBlock> x_{}, y_{}, z_{};
-  std::size_t count_ = 0;
-};
+// All ones in the lanes of the set bits.
+HWY_INLINE hn::Vec<decltype(di)> lanes_of(std::uint64_t bits) {
+  alignas(16) static constexpr std::array<std::int64_t, 8> kBits{1, 2, 4, 8, 16, 32, 64, 128};
+  const auto bit = hn::LoadU(di, kBits.data());
+  const auto all = hn::Set(di, static_cast<std::int64_t>(bits));
+  return hn::VecFromMask(di, hn::Eq(hn::And(all, bit), bit));
+}
 
 template <typename Terms>
 void words_of(const Terms& terms, double one, std::span<const Block> blocks,
-              const std::uint64_t* sets, std::int64_t* result) {
-  Packed packed;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    for (int row = 0; row < kBlock; ++row) {
-      const std::uint64_t bits = sets[i] & (std::uint64_t{0xff} << (8 * row));
-      if (bits == 0) continue;
-      packed.add(blocks[i], bits);
-      if (packed.full()) result = packed.flush(terms, one, result);
+              const std::uint64_t* sets, const std::uint64_t* negated, std::int64_t* result) {
+  const auto magic = hn::BitCast(di, set(kRoundMagic));
+  for (std::size_t i = 0; i < blocks.size(); ++i, result += kBlockPixels) {
+    if (sets[i] == 0) continue;
+    const V first_x = hn::Iota(d, 0.0);
+    for (std::size_t shift = 0; shift < kBlockPixels; shift += kLanes) {
+      const std::uint64_t bits = sets[i] >> shift & kGroupBits;
+      if (bits == 0) {
+        hn::StoreU(hn::Zero(di), di, result + shift);
+        continue;
+      }
+      const auto column = static_cast<double>(shift % kBlock);
+      const auto row = static_cast<double>(shift / kBlock);
+      const Point p{hn::Add(first_x, set(blocks[i].bx * 8.0 + column + 0.5)),
+                    set(blocks[i].by * 8.0 + row + 0.5), hn::LoadU(d, blocks[i].z + shift)};
+      const V shifted = hn::Add(hn::Mul(value_of(terms, p), set(one)), set(kRoundMagic));
+      const auto word = hn::Sub(hn::BitCast(di, shifted), magic);
+      const auto sign = lanes_of(negated[i] >> shift);
+      const auto turned = hn::Sub(hn::Xor(word, sign), sign);  // -word where sign is all ones
+      hn::StoreU(hn::And(turned, lanes_of(bits)), di, result + shift);
     }
   }
-  packed.flush(terms, one, result);
 }
 
 void words(const LightTerms& terms, double one, std::span<const Block> blocks,
-           const std::uint64_t* sets, std::int64_t* result) {
-  std::visit([&](const auto& kind) { words_of(kind, one, blocks, sets, result); }, terms);
+           const std::uint64_t* sets, const std::uint64_t* negated, std::int64_t* result) {
+  std::visit([&](const auto& kind) { words_of(kind, one, blocks, sets, negated, result); }, terms);
 }
 
 }  // namespace

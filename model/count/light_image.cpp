@@ -1,37 +1,81 @@
 #include "model/count/light_image.h"
 
-#include <bit>
+#include <mutex>
 
-#include "model/count/shared_words.h"
+#include "base/check.h"
+#include "model/count/bits.h"
 
 namespace wedgesim::model {
+namespace {
 
-LightImage::LightImage(const ZFrame& frame)
-    : penumbra_(frame.block_count() * kBlockPixels),
-      umbra_(penumbra_.size()),
-      contributions_(penumbra_.size()),
-      inside_any_(frame.block_count()) {}
-
-void LightImage::add(const Primitive& primitive, const Footprint& footprint, const ZFrame& frame) {
-  for (std::size_t i = 0; i < footprint.blocks().size(); ++i) {
-    const Block& block = footprint.blocks()[i];
-    const std::size_t index = frame.block(block.bx, block.by);
-    const std::size_t first = index * kBlockPixels;
-    if (footprint.inside(i) != 0) set_shared(inside_any_[index], footprint.inside(i));
-    const std::int64_t* word = footprint.words(i).data();
-    for_each_bit(footprint.inside(i), [&](int bit) {
-      const std::size_t position = first + static_cast<std::size_t>(bit);
-      add_shared(penumbra_[position], *word++);
-      add_shared(contributions_[position], std::uint32_t{1});
-    });
-    for_each_bit(footprint.hits(i), [&](int bit) {
-      const std::size_t position = first + static_cast<std::size_t>(bit);
-      add_shared(umbra_[position], std::int32_t{primitive.polygon->stencil_step});
-      add_shared(contributions_[position], std::uint32_t{1});
-    });
+// Adds the words of a block's set, row by row: the rows without any are many.
+void add_words(const std::int64_t* words, std::uint64_t set, std::int64_t* sums) {
+  for (int row = 0; row < kBlock; ++row, words += kBlock, sums += kBlock) {
+    if ((set >> (kBlock * row) & 0xff) == 0) continue;
+    for (int column = 0; column < kBlock; ++column) sums[column] += words[column];
   }
 }
 
-std::uint64_t LightImage::pixels_inside_any() const { return count_bits(inside_any_); }
+}  // namespace
+
+void PixelCounters::add(std::size_t block, std::uint64_t set) {
+  auto& slices = slices_[block];
+  for (std::size_t k = 0; set != 0 && k < kSlices; ++k) {
+    const std::uint64_t carry = slices[k] & set;
+    slices[k] ^= set;
+    set = carry;
+  }
+  CHECK_EQ(set, 0U);
+}
+
+std::uint32_t PixelCounters::at(std::size_t position) const {
+  const auto& slices = slices_[position / kBlockPixels];
+  std::uint32_t count = 0;
+  for (std::size_t k = 0; k < kSlices; ++k) {
+    count |= static_cast<std::uint32_t>(slices[k] >> (position % kBlockPixels) & 1) << k;
+  }
+  return count;
+}
+
+std::uint64_t PixelCounters::counted(std::size_t block) const {
+  std::uint64_t any = 0;
+  for (std::uint64_t slice : slices_[block]) any |= slice;
+  return any;
+}
+
+LightImage::LightImage(const ZFrame& frame)
+    : blocks_(frame.block_count()),
+      penumbra_(blocks_ * kBlockPixels),
+      inside_(blocks_),
+      added_(blocks_),
+      subtracted_(blocks_),
+      locks_(std::make_unique<tbb::spin_mutex[]>(kLocks)) {}
+
+void LightImage::add(const Primitive& primitive, const Footprint& footprint, const ZFrame& frame) {
+  PixelCounters& hits =
+      primitive.polygon && primitive.polygon->stencil_step > 0 ? added_ : subtracted_;
+  std::unique_lock<tbb::spin_mutex> lock;
+  for (std::size_t i = 0; i < footprint.blocks().size(); ++i) {
+    const std::uint64_t inside = footprint.inside(i);
+    if ((inside | footprint.hits(i)) == 0) continue;
+    const Block& at = footprint.blocks()[i];
+    const std::size_t block = frame.block(at.bx, at.by);
+    tbb::spin_mutex& mutex = locks_[block / kBlocksALock % kLocks];
+    if (lock.mutex() != &mutex) {
+      if (lock) lock.unlock();
+      lock = std::unique_lock(mutex);
+    }
+    if (footprint.hits(i) != 0) hits.add(block, footprint.hits(i));
+    if (inside == 0) continue;
+    inside_.add(block, inside);
+    add_words(footprint.words(i), inside, &penumbra_[block * kBlockPixels]);
+  }
+}
+
+std::uint64_t LightImage::pixels_inside_any() const {
+  std::uint64_t pixels = 0;
+  for (std::size_t block = 0; block < blocks_; ++block) pixels += bit_count(inside_.counted(block));
+  return pixels;
+}
 
 }  // namespace wedgesim::model

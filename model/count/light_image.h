@@ -1,6 +1,10 @@
 #pragma once
 
+#include <tbb/spin_mutex.h>
+
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "model/count/footprint.h"
@@ -15,7 +19,25 @@ struct Correction {
   std::int32_t umbra = 0;
 };
 
-/// Sums of contributions, in block order, filled by many threads.
+/// A counter a pixel, stored bit by bit: slice k of a block holds bit k of its 64 counters, so one
+/// addition counts a whole set of pixels.
+class PixelCounters {
+ public:
+  explicit PixelCounters(std::size_t blocks) : slices_(blocks) {}
+
+  /// Adds 1 at every pixel of a set.
+  void add(std::size_t block, std::uint64_t set);
+  std::uint32_t at(std::size_t position) const;
+  /// Pixels of a block that were counted at least once.
+  std::uint64_t counted(std::size_t block) const;
+
+ private:
+  static constexpr std::size_t kSlices = 20;  // a million contributions a pixel
+  std::vector<std::array<std::uint64_t, kSlices>> slices_;
+};
+
+/// Sums of contributions, in block order, filled by many threads; integers, so that their order
+/// does not matter.
 class LightImage {
  public:
   explicit LightImage(const ZFrame& frame);
@@ -23,18 +45,28 @@ class LightImage {
   /// Adds all inside pixels and all hits of a footprint.
   void add(const Primitive& primitive, const Footprint& footprint, const ZFrame& frame);
 
+  /// The sum of all coverages and intensities, in words.
   std::int64_t penumbra(std::size_t position) const { return penumbra_[position]; }
-  std::int32_t umbra(std::size_t position) const { return umbra_[position]; }
+  /// The sum of all hits, in full lights: a wide stencil.
+  std::int32_t umbra(std::size_t position) const {
+    return static_cast<std::int32_t>(added_.at(position)) -
+           static_cast<std::int32_t>(subtracted_.at(position));
+  }
   /// Contributions to a pixel, umbra and penumbra.
-  std::uint32_t contributions(std::size_t position) const { return contributions_[position]; }
+  std::uint32_t contributions(std::size_t position) const {
+    return inside_.at(position) + added_.at(position) + subtracted_.at(position);
+  }
   /// Distinct pixels inside at least one wedge.
   std::uint64_t pixels_inside_any() const;
 
  private:
-  std::vector<std::int64_t> penumbra_;  // words
-  std::vector<std::int32_t> umbra_;     // full lights, a wide stencil
-  std::vector<std::uint32_t> contributions_;
-  std::vector<std::uint64_t> inside_any_;  // a word a block
+  static constexpr std::size_t kLocks = 4096;
+  static constexpr std::size_t kBlocksALock = 16;
+
+  std::size_t blocks_;
+  std::vector<std::int64_t> penumbra_;
+  PixelCounters inside_, added_, subtracted_;
+  std::unique_ptr<tbb::spin_mutex[]> locks_;
 };
 
 }  // namespace wedgesim::model

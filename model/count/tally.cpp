@@ -1,14 +1,10 @@
 #include "model/count/tally.h"
 
-#include <bit>
-
-#include "model/count/shared_words.h"
+#include "model/count/bits.h"
 #include "model/count/tile_test.h"
 
 namespace wedgesim::model {
 namespace {
-
-std::uint64_t size(std::uint64_t bits) { return static_cast<std::uint64_t>(std::popcount(bits)); }
 
 bool is_planes_kind(Cull cull) {
   return cull == Cull::planes || cull == Cull::both || cull == Cull::sat;
@@ -98,14 +94,15 @@ void TileTally::count_run(std::size_t index) {
   const CountConfig& config = run.config;
   const bool single = config.mode == Mode::single_pass;
   const bool shared = single && primitive_->shares(config.share == Share::all);
-  const std::uint64_t faces = size(tile_.faces);
+  const std::uint64_t faces = bit_count(tile_.faces);
   const bool own_visit = tile_.umbra && (!shared || tile_.umbra_beyond_faces);
   // A cap is written untested; a shared polygon's test is paid by the first face's visit.
   const unsigned umbra_words =
       primitive_->polygon && primitive_->polygon->cap ? 0 : run.umbra_words;
-  std::uint64_t words = faces * size(run.face_words) + (own_visit ? size(umbra_words) : 0);
+  std::uint64_t words =
+      faces * bit_count(run.face_words) + (own_visit ? bit_count(umbra_words) : 0);
   if (shared && tile_.umbra && faces > 0) {
-    words += size(run.face_words | umbra_words) - size(run.face_words);
+    words += bit_count(run.face_words | umbra_words) - bit_count(run.face_words);
   }
   counters.tile_visits += faces + (own_visit ? 1 : 0);
   counters.tile_reads += words;
@@ -114,7 +111,7 @@ void TileTally::count_run(std::size_t index) {
   }
 
   const std::uint64_t surviving = survivors(config, counters);
-  if (is_planes_kind(config.cull) && tile_.inside) counters.tiles_inside += size(surviving);
+  if (is_planes_kind(config.cull) && tile_.inside) counters.tiles_inside += bit_count(surviving);
   const Outcome& result = outcome(surviving, umbra_state(config, counters));
   counters.z_reads += shared ? result.shared_reads : result.reads + result.umbra_reads;
   const bool reads = result.reads > 0;
@@ -131,10 +128,10 @@ void TileTally::count_run(std::size_t index) {
 std::uint64_t TileTally::survivors(const CountConfig& config, Counters& counters) const {
   if (tile_.faces == 0 || config.cull == Cull::none) return tile_.faces;
   if (config.cull == Cull::zmax) {
-    counters.visits_culled_zmax += size(tile_.zmax);
+    counters.visits_culled_zmax += bit_count(tile_.zmax);
     return tile_.faces & ~tile_.zmax;
   }
-  const std::uint64_t faces = size(tile_.faces);
+  const std::uint64_t faces = bit_count(tile_.faces);
   if (config.cull != Cull::planes && tile_.zrange) {
     counters.visits_culled_zrange += faces;
     return 0;
@@ -184,12 +181,12 @@ const TileTally::Outcome& TileTally::outcome(std::uint64_t survivors, UmbraState
     if (umbra == UmbraState::read) sets.umbra_reads = covered;
     if (umbra == UmbraState::read) sets.umbra_writes = hits;
     if (umbra == UmbraState::accepted) sets.umbra_writes = covered;
-    result.reads += size(sets.reads);
-    result.umbra_reads += size(sets.umbra_reads);
-    result.shared_reads += size(sets.reads | sets.umbra_reads);
-    result.writes += size(sets.writes);
-    result.umbra_writes += size(sets.umbra_writes);
-    result.shared_writes += size(sets.writes | sets.umbra_writes);
+    result.reads += bit_count(sets.reads);
+    result.umbra_reads += bit_count(sets.umbra_reads);
+    result.shared_reads += bit_count(sets.reads | sets.umbra_reads);
+    result.writes += bit_count(sets.writes);
+    result.umbra_writes += bit_count(sets.umbra_writes);
+    result.shared_writes += bit_count(sets.writes | sets.umbra_writes);
     result.wrong = result.wrong || sets.umbra_writes != hits ||
                    sets.writes != (footprint_->inside(part.block) & part.bits);
     part_sets_.push_back(sets);
@@ -210,7 +207,7 @@ void TileTally::touch(ConfigRun& run, const Outcome& outcome, bool shared) const
     if (run.z_reads.empty()) continue;
     const auto draw = [&](std::vector<std::uint32_t>& map, std::uint64_t bits) {
       for_each_bit(bits, [&](int bit) {
-        add_shared(map[block * kBlockPixels + static_cast<std::size_t>(bit)], std::uint32_t{1});
+        add_shared(map[block * kBlockPixels + static_cast<std::size_t>(bit)], 1);
       });
     };
     draw(run.z_reads, z);
@@ -229,8 +226,7 @@ void TileTally::correct(std::size_t run, const Outcome& outcome) {
     const std::size_t first = frame_.block(at.bx, at.by) * kBlockPixels;
     const std::uint64_t inside = footprint_->inside(part.block);
     for_each_bit(inside & part.bits & ~sets.writes, [&](int bit) {
-      const std::uint64_t below = (std::uint64_t{1} << bit) - 1;
-      const std::int64_t word = footprint_->words(part.block)[size(inside & below)];
+      const std::int64_t word = footprint_->words(part.block)[bit];
       corrections_[run].push_back({first + static_cast<std::size_t>(bit), -word, 0});
     });
     const std::uint64_t hits = footprint_->hits(part.block) & part.bits;

@@ -19,7 +19,8 @@ ZFrame::ZFrame(const traces::TraceView& trace)
       height_(static_cast<int>(trace.header.height)),
       blocks_x_(ceil_div(trace.header.width, kBlock)),
       blocks_y_(ceil_div(trace.header.height, kBlock)),
-      z_(block_count() * kBlockPixels, 1.0) {
+      z_(block_count() * kBlockPixels, 1.0),
+      intervals_(block_count()) {
   CHECK_EQ(trace.depth.size(), std::size_t{trace.header.width} * trace.header.height);
   tbb::parallel_for(0, height_, [&](int y) {
     const std::size_t row = static_cast<std::size_t>(y) * trace.header.width;
@@ -27,6 +28,10 @@ ZFrame::ZFrame(const traces::TraceView& trace)
       z_[position(x, y)] = traces::decode_depth(trace.header.depth_format,
                                                 trace.depth[row + static_cast<std::size_t>(x)]);
     }
+  });
+  tbb::parallel_for(std::size_t{0}, block_count(), [&](std::size_t block) {
+    const auto [low, high] = std::minmax_element(z_of(block), z_of(block) + kBlockPixels);
+    intervals_[block] = {*low, *high};
   });
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,12 +12,6 @@ namespace wedgesim::model {
 /// A block is 8x8 pixels; a set of its pixels is one 64-bit word, bit 8*row + column.
 inline constexpr int kBlock = 8;
 inline constexpr int kBlockPixels = kBlock * kBlock;
-
-/// Calls f(bit) for every set bit, lowest first.
-template <typename F>
-void for_each_bit(std::uint64_t bits, F&& f) {
-  for (; bits != 0; bits &= bits - 1) f(std::countr_zero(bits));
-}
 
 /// The stored depth of a frame, decoded, in block order: every buffer of the counter is indexed by
 /// block * kBlockPixels + bit. Pixels that only pad the frame to whole blocks have depth 1.
@@ -39,12 +32,15 @@ class ZFrame {
   }
   /// The 64 depths of a block.
   const double* z_of(std::size_t block) const { return z_.data() + block * kBlockPixels; }
+  /// The interval of a block's depths.
+  ZInterval interval_of(std::size_t block) const { return intervals_[block]; }
   double z(int x, int y) const { return z_[position(x, y)]; }
 
  private:
   int width_, height_;
   std::uint32_t blocks_x_, blocks_y_;
   std::vector<double> z_;
+  std::vector<ZInterval> intervals_;
 };
 
 /// zmin and zmax of every tile of one size, sky pixels included.
