@@ -146,17 +146,22 @@ std::uint64_t check(const Scene& scene, const Kernel& kernel) {
   const ZFrame frame(scene.trace.view());
   LightImage image(frame);
   draw_by_kernel(scene, frame, kernel, image);
-  for (int y = 0; y < frame.height(); ++y) {
-    for (int x = 0; x < frame.width(); ++x) {
-      const auto pixel = static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
-      const std::size_t position = frame.position(x, y);
-      if (image.penumbra(position) != plain.penumbra[pixel] ||
-          image.umbra(position) != plain.umbra[pixel]) {
-        std::fprintf(stderr, "%s differs from the plain loop at %d,%d\n", kernel.name, x, y);
+  frame.for_each_block([&](std::uint32_t bx, std::uint32_t by) {
+    std::array<std::int64_t, kBlockPixels> penumbra;
+    std::array<std::int32_t, kBlockPixels> umbra;
+    std::array<std::uint32_t, kBlockPixels> contributions;
+    image.sums(frame.block(bx, by), penumbra.data(), umbra.data(), contributions.data());
+    for (std::uint32_t bit = 0; bit < kBlockPixels; ++bit) {
+      const std::uint32_t x = bx * kBlock + bit % kBlock;
+      const std::uint32_t y = by * kBlock + bit / kBlock;
+      if (x >= kWidth || y >= kHeight) continue;
+      const std::size_t pixel = std::size_t{y} * kWidth + x;
+      if (penumbra[bit] != plain.penumbra[pixel] || umbra[bit] != plain.umbra[pixel]) {
+        std::fprintf(stderr, "%s differs from the plain loop at %u,%u\n", kernel.name, x, y);
         std::exit(1);
       }
     }
-  }
+  });
   return visits;
 }
 

@@ -1,5 +1,6 @@
 #include "model/count/light_image.h"
 
+#include <algorithm>
 #include <mutex>
 
 #include "base/check.h"
@@ -26,15 +27,6 @@ void PixelCounters::add(std::size_t block, std::uint64_t set) {
     set = carry;
   }
   CHECK_EQ(set, 0U);
-}
-
-std::uint32_t PixelCounters::at(std::size_t position) const {
-  const auto& slices = slices_[position / kBlockPixels];
-  std::uint32_t count = 0;
-  for (std::size_t k = 0; k < kSlices; ++k) {
-    count |= static_cast<std::uint32_t>(slices[k] >> (position % kBlockPixels) & 1) << k;
-  }
-  return count;
 }
 
 std::uint64_t PixelCounters::counted(std::size_t block) const {
@@ -70,6 +62,22 @@ void LightImage::add(const Primitive& primitive, const Footprint& footprint, con
     inside_.add(block, inside);
     add_words(footprint.words(i), inside, &penumbra_[block * kBlockPixels]);
   }
+}
+
+void LightImage::sums(std::size_t block, std::int64_t* penumbra, std::int32_t* umbra,
+                      std::uint32_t* contributions) const {
+  std::copy_n(&penumbra_[block * kBlockPixels], kBlockPixels, penumbra);
+  std::fill_n(umbra, kBlockPixels, 0);
+  std::fill_n(contributions, kBlockPixels, 0);
+  inside_.for_each_term(block, [&](int bit, std::uint32_t count) { contributions[bit] += count; });
+  added_.for_each_term(block, [&](int bit, std::uint32_t count) {
+    contributions[bit] += count;
+    umbra[bit] += static_cast<std::int32_t>(count);
+  });
+  subtracted_.for_each_term(block, [&](int bit, std::uint32_t count) {
+    contributions[bit] += count;
+    umbra[bit] -= static_cast<std::int32_t>(count);
+  });
 }
 
 std::uint64_t LightImage::pixels_inside_any() const {

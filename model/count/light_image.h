@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "model/count/bits.h"
 #include "model/count/footprint.h"
 
 namespace wedgesim::model {
@@ -27,7 +28,13 @@ class PixelCounters {
 
   /// Adds 1 at every pixel of a set.
   void add(std::size_t block, std::uint64_t set);
-  std::uint32_t at(std::size_t position) const;
+  /// Calls f(bit, 2^k) for every bit k that is set in one of a block's counters.
+  template <typename F>
+  void for_each_term(std::size_t block, F&& f) const {
+    for (std::size_t k = 0; k < kSlices; ++k) {
+      for_each_bit(slices_[block][k], [&](int bit) { f(bit, std::uint32_t{1} << k); });
+    }
+  }
   /// Pixels of a block that were counted at least once.
   std::uint64_t counted(std::size_t block) const;
 
@@ -45,17 +52,12 @@ class LightImage {
   /// Adds all inside pixels and all hits of a footprint.
   void add(const Primitive& primitive, const Footprint& footprint, const ZFrame& frame);
 
-  /// The sum of all coverages and intensities, in words.
-  std::int64_t penumbra(std::size_t position) const { return penumbra_[position]; }
-  /// The sum of all hits, in full lights: a wide stencil.
-  std::int32_t umbra(std::size_t position) const {
-    return static_cast<std::int32_t>(added_.at(position)) -
-           static_cast<std::int32_t>(subtracted_.at(position));
-  }
-  /// Contributions to a pixel, umbra and penumbra.
-  std::uint32_t contributions(std::size_t position) const {
-    return inside_.at(position) + added_.at(position) + subtracted_.at(position);
-  }
+  /// The sums of a block's 64 pixels.
+  /// \param penumbra       of coverages and intensities, in words
+  /// \param umbra          of hits, in full lights: a wide stencil
+  /// \param contributions  how many there were, umbra and penumbra
+  void sums(std::size_t block, std::int64_t* penumbra, std::int32_t* umbra,
+            std::uint32_t* contributions) const;
   /// Distinct pixels inside at least one wedge.
   std::uint64_t pixels_inside_any() const;
 

@@ -84,56 +84,73 @@ FinishedFrame::FinishedFrame(const ZFrame& frame, const LightImage& image, LiFor
       one_(static_cast<std::int64_t>(word_one(format))),
       corrections_(gather(std::move(corrections))) {}
 
-FinishedFrame::Sums FinishedFrame::sums(std::size_t position) const {
-  std::int64_t penumbra = image_.penumbra(position);
-  std::int64_t stencil = image_.umbra(position);
-  if (!corrections_.empty()) {
-    const auto found = std::lower_bound(
-        corrections_.begin(), corrections_.end(), position,
-        [](const Correction& correction, std::size_t at) { return correction.position < at; });
-    if (found != corrections_.end() && found->position == position) {
-      penumbra += found->penumbra;
-      stencil += found->umbra;
+FinishedFrame::BlockSums FinishedFrame::sums(std::size_t block) const {
+  BlockSums sums;
+  const std::size_t first = block * kBlockPixels;
+  image_.sums(block, sums.words.data(), sums.stencil.data(), sums.contributions.data());
+  auto wrong = std::lower_bound(
+      corrections_.begin(), corrections_.end(), first,
+      [](const Correction& correction, std::size_t at) { return correction.position < at; });
+  for (; wrong != corrections_.end() && wrong->position < first + kBlockPixels; ++wrong) {
+    sums.words[wrong->position - first] += wrong->penumbra;
+    sums.stencil[wrong->position - first] += wrong->umbra;
+  }
+  for (std::size_t i = 0; i < kBlockPixels; ++i) {
+    sums.words[i] += one_ + sums.stencil[i] * one_;
+  }
+  return sums;
+}
+
+template <typename F>
+void FinishedFrame::for_each_pixel(std::uint32_t bx, std::uint32_t by, F&& f) const {
+  const int x0 = static_cast<int>(bx) * kBlock;
+  const int y0 = static_cast<int>(by) * kBlock;
+  for (int y = y0; y < std::min(y0 + kBlock, frame_.height()); ++y) {
+    for (int x = x0; x < std::min(x0 + kBlock, frame_.width()); ++x) {
+      f(x, y, static_cast<std::size_t>(kBlock * (y - y0) + x - x0));
     }
   }
-  return {one_ + penumbra + stencil * one_, stencil};
 }
 
 FrameSummary FinishedFrame::summarize(const traces::TraceView& trace, bool compare_sky) const {
   FrameSummary summary;
   Comparison comparison(format_);
   const std::uint32_t sky = traces::sky_word(trace.header.depth_format);
-  std::size_t pixel = 0;
-  for (int y = 0; y < frame_.height(); ++y) {
-    for (int x = 0; x < frame_.width(); ++x, ++pixel) {
-      const std::size_t position = frame_.position(x, y);
-      const auto [word, stencil] = sums(position);
+  frame_.for_each_block([&](std::uint32_t bx, std::uint32_t by) {
+    const BlockSums block = sums(frame_.block(bx, by));
+    for_each_pixel(bx, by, [&](int x, int y, std::size_t bit) {
+      const std::int64_t word = block.words[bit];
+      const std::int32_t stencil = block.stencil[bit];
       summary.li_writes_floor += word != one_ ? 1 : 0;
       summary.stencil_not_zero += stencil != 0 ? 1 : 0;
       const bool li_bad = !li_in_range(word, format_, one_);
       summary.li_out_of_range += li_bad ? 1 : 0;
       summary.any_out_of_range += li_bad || !stencil_in_range(stencil) ? 1 : 0;
       summary.contributions_max =
-          std::max<std::uint64_t>(summary.contributions_max, image_.contributions(position));
-      if (trace.expected_li.empty() || (!compare_sky && trace.depth[pixel] == sky)) continue;
+          std::max<std::uint64_t>(summary.contributions_max, block.contributions[bit]);
+      const std::size_t pixel =
+          static_cast<std::size_t>(y) * trace.header.width + static_cast<std::size_t>(x);
+      if (trace.expected_li.empty() || (!compare_sky && trace.depth[pixel] == sky)) return;
       const double li = static_cast<double>(word) / word_one(format_);
       const double expected = trace.expected_li[pixel];
       const double sensitivity =
           trace.li_sensitivity.empty() ? 0.0 : static_cast<double>(trace.li_sensitivity[pixel]);
       comparison.add({x, y, expected, li, li - expected, sensitivity});
-    }
-  }
+    });
+  });
   summary.pixels = comparison.finish();
   return summary;
 }
 
 std::vector<std::int64_t> FinishedFrame::words() const {
-  std::vector<std::int64_t> words;
-  words.reserve(static_cast<std::size_t>(frame_.width()) *
-                static_cast<std::size_t>(frame_.height()));
-  for (int y = 0; y < frame_.height(); ++y) {
-    for (int x = 0; x < frame_.width(); ++x) words.push_back(sums(frame_.position(x, y)).word);
-  }
+  const auto width = static_cast<std::size_t>(frame_.width());
+  std::vector<std::int64_t> words(width * static_cast<std::size_t>(frame_.height()));
+  frame_.for_each_block([&](std::uint32_t bx, std::uint32_t by) {
+    const BlockSums block = sums(frame_.block(bx, by));
+    for_each_pixel(bx, by, [&](int x, int y, std::size_t bit) {
+      words[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] = block.words[bit];
+    });
+  });
   return words;
 }
 

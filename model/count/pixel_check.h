@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -52,11 +53,16 @@ class FinishedFrame {
   std::vector<std::int64_t> words() const;
 
  private:
-  struct Sums {
-    std::int64_t word;
-    std::int64_t stencil;
+  /// The sums of a block's pixels.
+  struct BlockSums {
+    std::array<std::int64_t, kBlockPixels> words;
+    std::array<std::int32_t, kBlockPixels> stencil;
+    std::array<std::uint32_t, kBlockPixels> contributions;
   };
-  Sums sums(std::size_t position) const;
+  BlockSums sums(std::size_t block) const;
+  /// Calls f(x, y, bit) for the pixels of a block that are in the frame.
+  template <typename F>
+  void for_each_pixel(std::uint32_t bx, std::uint32_t by, F&& f) const;
 
   const ZFrame& frame_;
   const LightImage& image_;

@@ -25,6 +25,13 @@ class ZFrame {
   std::size_t block(std::uint32_t bx, std::uint32_t by) const {
     return std::size_t{by} * blocks_x_ + bx;
   }
+  /// Calls f(bx, by) for every block, row by row.
+  template <typename F>
+  void for_each_block(F&& f) const {
+    for (std::uint32_t by = 0; by < blocks_y_; ++by) {
+      for (std::uint32_t bx = 0; bx < blocks_x_; ++bx) f(bx, by);
+    }
+  }
   std::size_t position(int x, int y) const {
     return block(static_cast<std::uint32_t>(x) / kBlock, static_cast<std::uint32_t>(y) / kBlock) *
                kBlockPixels +
