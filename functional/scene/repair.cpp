@@ -101,7 +101,7 @@ Triangle sorted(Triangle t) {
 
 /// Rotated so that equal triangles of equal orientation are equal arrays.
 Triangle rotated(Triangle t) {
-  std::ranges::rotate(t, std::ranges::min_element(t));
+  std::rotate(t.begin(), std::ranges::min_element(t), t.end());
   return t;
 }
 

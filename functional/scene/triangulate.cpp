@@ -89,7 +89,7 @@ std::optional<Contour> bridged(const std::vector<GridPoint>& points,
   });
   for (Contour& hole : holes) {
     const std::ptrdiff_t offset = right_end(hole) - hole.cbegin();
-    std::ranges::rotate(hole, hole.begin() + offset);
+    std::rotate(hole.begin(), hole.begin() + offset, hole.end());
     const auto place = find_bridge(points, outline, all_holes, points[hole.front()]);
     if (!place) {
       return std::nullopt;
