@@ -52,24 +52,6 @@ void grow_hull(Outlines& outlines) {
   }
 }
 
-bool same_place(const SnappedPoint& a, const SnappedPoint& b) { return a.x == b.x && a.y == b.y; }
-
-// Without corners that fell together.
-std::vector<SnappedPoint> tidy(std::vector<SnappedPoint> outline) {
-  outline.erase(std::unique(outline.begin(), outline.end(), same_place), outline.end());
-  while (outline.size() > 1 && same_place(outline.front(), outline.back())) outline.pop_back();
-  return outline;
-}
-
-std::vector<std::vector<SnappedPoint>> convex_parts(std::vector<SnappedPoint> outline) {
-  if (is_convex(outline)) return {std::move(outline)};
-  std::vector<std::vector<SnappedPoint>> parts;
-  for (std::size_t i = 2; i < outline.size(); ++i) {
-    parts.push_back({outline[0], outline[i - 1], outline[i]});
-  }
-  return parts;
-}
-
 std::pair<double, double> depth_range(std::span<const WindowPoint> points) {
   double low = points.front().z;
   double high = low;
@@ -138,7 +120,7 @@ std::uint32_t ScreenBuilder::add_umbra_polygon(std::span<const glm::dvec3> outli
   if (points.empty()) return traces::kNone;
   const auto [z_min, z_max] = depth_range(points);
   std::uint32_t result = traces::kNone;
-  const auto parts = convex_parts(tidy(snap(points)));
+  const auto parts = convex_parts(snap(points));
   for (const auto& part : parts) {
     if (part.size() < 3) continue;
     const auto [first, count] = add_outline(part);
@@ -174,7 +156,7 @@ bool ScreenBuilder::add_faces(const WorldWedge& volume, traces::fb::Wedge& wedge
   grow_hull(outlines);
   const auto first_face = static_cast<std::uint32_t>(trace_.faces.size());
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    for (const auto& part : convex_parts(tidy(snap(outlines[i])))) {
+    for (const auto& part : convex_parts(snap(outlines[i]))) {
       if (part.size() < 3) continue;
       const auto [first, count] = add_outline(part);
       // The wedge's interval serves every face: a grown face may cover pixels of its neighbour.

@@ -1,7 +1,9 @@
 #include "functional/raster/clip.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace wedgesim::functional {
 namespace {
@@ -112,6 +114,20 @@ bool is_convex(std::span<const SnappedPoint> polygon) {
   }
   if (last_sign != first_sign) ++x_turns;
   return !(left && right) && x_turns <= 2;
+}
+
+std::vector<std::vector<SnappedPoint>> convex_parts(std::vector<SnappedPoint> outline) {
+  const auto same_place = [](const SnappedPoint& a, const SnappedPoint& b) {
+    return a.x == b.x && a.y == b.y;
+  };
+  outline.erase(std::unique(outline.begin(), outline.end(), same_place), outline.end());
+  while (outline.size() > 1 && same_place(outline.front(), outline.back())) outline.pop_back();
+  if (is_convex(outline)) return {std::move(outline)};
+  std::vector<std::vector<SnappedPoint>> parts;
+  for (std::size_t i = 2; i < outline.size(); ++i) {
+    parts.push_back({outline[0], outline[i - 1], outline[i]});
+  }
+  return parts;
 }
 
 }  // namespace wedgesim::functional

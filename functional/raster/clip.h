@@ -36,4 +36,9 @@ std::int64_t doubled_area(std::span<const SnappedPoint> polygon);
 /// True if no corner of the snapped outline turns against the others.
 bool is_convex(std::span<const SnappedPoint> polygon);
 
+/// The outline without corners that fell together, in convex parts: snapping can make a convex
+/// outline turn inwards, which then becomes a fan of triangles whose signed areas add up to its
+/// own.
+std::vector<std::vector<SnappedPoint>> convex_parts(std::vector<SnappedPoint> outline);
+
 }  // namespace wedgesim::functional

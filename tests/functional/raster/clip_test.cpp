@@ -153,5 +153,31 @@ TEST(Clip, OutlinesThatAreNotConvex) {
       << "twice around";
 }
 
+// Parts of an outline that turned inwards: convex, none with equal corners, signed areas that add
+// up to the outline's.
+TEST(Clip, ConvexParts) {
+  Random random(24);
+  int split = 0;
+  for (int i = 0; i < 5000; ++i) {
+    std::vector<SnappedPoint> outline;
+    const int corners = random.whole(3, 7);
+    for (int k = 0; k < corners; ++k) {
+      outline.push_back(at(random.whole(0, 9), random.whole(0, 9)));
+      if (random.chance(0.2)) outline.push_back(outline.back());
+    }
+    const auto parts = convex_parts(outline);
+    std::int64_t area = 0;
+    for (const auto& part : parts) {
+      ASSERT_TRUE(is_convex(part)) << "case " << i;
+      area += doubled_area(part);
+    }
+    ASSERT_EQ(area, doubled_area(outline)) << "case " << i;
+    if (parts.size() > 1) ++split;
+  }
+  EXPECT_GT(split, 1000);
+  const std::vector<SnappedPoint> twice{at(0, 0), at(0, 0), at(0, 9), at(9, 9), at(9, 9), at(0, 0)};
+  EXPECT_EQ(convex_parts(twice).front().size(), 3U) << "corners that fell together are one";
+}
+
 }  // namespace
 }  // namespace wedgesim::functional

@@ -125,6 +125,41 @@ TEST_P(DepthBufferFormats, DepthIsThatOfTheRayThroughThePixelCentre) {
   EXPECT_GT(compared - sky, kWidth * kHeight / 3);
 }
 
+// Triangles whose tip the near plane cuts off by next to nothing snap into outlines that are not
+// convex: do they still cover what they should?
+TEST(DepthBuffer, TipsCutByTheNearPlane) {
+  Random random(42);
+  const Window window = plain_window();
+  const glm::dvec3 forward(0.0, 0.0, -1.0);
+  for (int i = 0; i < 3000; ++i) {
+    // A tip on the near plane in the frame, behind it by less than a hundredth of a pixel.
+    const glm::dvec3 tip =
+        world_point(window, random.uniform(0.0, kWidth), random.uniform(0.0, kHeight), 0.0) -
+        std::pow(10.0, random.uniform(-7.0, -3.0)) * forward;
+    Object object;
+    for (int k = 0; k < 2; ++k) {
+      object.mesh.positions.push_back(random.in_box({-4.0, -4.0, -6.0}, {4.0, 4.0, -0.6}));
+    }
+    object.mesh.positions.push_back(tip);
+    const auto& p = object.mesh.positions;
+    const glm::dvec3 normal = glm::normalize(glm::cross(p[1] - p[0], p[2] - p[0]));
+    if (std::abs(glm::dot(normal, tip)) < 0.02) continue;  // a sliver on the screen
+    object.mesh.triangles = {{0, 1, 2}};
+    const std::vector<Object> objects{object};
+    const DepthBuffer buffer = render_depth(window, objects, fb::DepthFormat_float32);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const glm::dvec3 way = world_point(window, x + 0.5, y + 0.5, 0.5) - window.eye;
+        const auto found = hit(window.eye, way, p[0], p[1], p[2]);
+        if (!found || std::abs(found->margin) < 0.03 || -found->point.z < 0.501) continue;
+        ASSERT_EQ(buffer.triangle[static_cast<std::size_t>(y * kWidth + x)] == 0U,
+                  found->margin > 0.0)
+            << "case " << i << ", pixel " << x << ' ' << y;
+      }
+    }
+  }
+}
+
 // Does the first of coinciding triangles keep the pixel, within an object and across objects?
 TEST_P(DepthBufferFormats, FirstTriangleWinsTies) {
   const Window window = plain_window();
