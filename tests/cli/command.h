@@ -1,0 +1,41 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/base/temporary_folder.h"
+
+namespace wedgesim::cli {
+
+/// What a run of the command did.
+struct Outcome {
+  std::string command;  // as a user would type it
+  int code = -1;        // 128 + signal if it was killed
+  std::string out, err;
+};
+
+/// Runs build/.../cli/wedgesim with these arguments and waits for it.
+Outcome run_command(const std::vector<std::string>& arguments);
+
+/// The same with standard error on a terminal; `err` is what the terminal was sent.
+Outcome run_on_terminal(const std::vector<std::string>& arguments);
+
+/// Exit code 2, nothing on standard output, exactly one line on standard error that holds all of
+/// `words`.
+void expect_bad_input(const Outcome& outcome, const std::vector<std::string>& words);
+
+/// Exit code 0 and nothing on standard error.
+void expect_good(const Outcome& outcome);
+
+std::string read_text(const std::filesystem::path& path);
+void write_text(const std::filesystem::path& path, const std::string& text);
+
+/// A small trace of a built-in scene, made by the command.
+std::filesystem::path make_trace(const TemporaryFolder& folder,
+                                 const std::string& scene = "plain-columns",
+                                 const std::vector<std::string>& options = {});
+
+}  // namespace wedgesim::cli
