@@ -14,9 +14,9 @@ add_test(NAME style.scripts WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
   COMMAND shellcheck -x run test .ci/run .ci/setup.sh)
 set_tests_properties(style.format style.house style.scripts PROPERTIES LABELS style TIMEOUT 120)
 
-wedgesim_nested_build(sanitize.build asan unit_tests)
+wedgesim_nested_build(sanitize.build asan sanitized_tests)
 add_test(NAME sanitize.unit WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
-  COMMAND ${CMAKE_CTEST_COMMAND} --preset asan -L ^unit$ --no-tests=error)
+  COMMAND ${CMAKE_CTEST_COMMAND} --preset asan -L ^sanitized$ --no-tests=error)
 set_tests_properties(sanitize.build sanitize.unit PROPERTIES LABELS sanitize)
 set_tests_properties(sanitize.unit PROPERTIES FIXTURES_REQUIRED sanitize.build TIMEOUT 1800)
 

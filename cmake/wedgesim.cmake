@@ -24,8 +24,9 @@ function(wedgesim_library name)
                         PRIVATE ${ARG_PRIVATE_LINKS})
 endfunction()
 
-# The programs of all tests labelled `unit`; the sanitizer run of ./test builds only these.
-add_custom_target(unit_tests)
+# The programs that ./test runs under the sanitizers: the unit tests of what reads traces and of
+# arithmetic. Those of scenes take the longest to build; ./test --sanitize runs them too.
+add_custom_target(sanitized_tests)
 
 # wedgesim_test(base/counter_test.cpp LABELS unit LINKS wedgesim::base [SECONDS 60])
 # makes one test program of one file of tests/; each label answers one question (docs/testing.md).
@@ -45,10 +46,11 @@ function(wedgesim_test source)
   target_compile_definitions(${target} PRIVATE
     WEDGESIM_SOURCE_DIR="${PROJECT_SOURCE_DIR}" WEDGESIM_BINARY_DIR="${PROJECT_BINARY_DIR}")
   add_test(NAME ${target} COMMAND ${target})
-  set_tests_properties(${target} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_SECONDS})
-  if("unit" IN_LIST ARG_LABELS)
-    add_dependencies(unit_tests ${target})
+  if("unit" IN_LIST ARG_LABELS AND NOT source MATCHES "^(functional/scene|reports|invariants)/")
+    list(APPEND ARG_LABELS sanitized)
+    add_dependencies(sanitized_tests ${target})
   endif()
+  set_tests_properties(${target} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_SECONDS})
 endfunction()
 
 # A test that configures another preset and builds one target there; named as a fixture, it runs
