@@ -1,5 +1,5 @@
 // How far is each method from ray-traced visibility? Receivers alone: what a caster's own surface
-// sees of the light is not what shadow volumes are about. The bars are those of docs/testing.md.
+// sees of the light is not what shadow volumes are about.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +15,11 @@ namespace wedgesim::functional {
 namespace {
 
 constexpr int kRays = 1024;
+
+// The bars of `coverage`.
+constexpr double kMostRms = 0.006;
+constexpr double kMostPenumbraRms = 0.015;
+constexpr int kMostFarOff = 20;
 
 struct Difference {
   double rms = 0.0;
@@ -71,9 +76,9 @@ TEST_P(Truth, CoverageIsCloseToRays) {
   const Difference coverage = compare(scene, frame, reference);
   print(GetParam() + " coverage", coverage);
   EXPECT_GT(coverage.penumbra, 4000);
-  EXPECT_LE(coverage.rms, 0.006);
-  EXPECT_LE(coverage.penumbra_rms, 0.015);
-  EXPECT_LE(coverage.far_off, 20);
+  EXPECT_LE(coverage.rms, kMostRms);
+  EXPECT_LE(coverage.penumbra_rms, kMostPenumbraRms);
+  EXPECT_LE(coverage.far_off, kMostFarOff);
 
   FrameOptions linear;
   linear.kind = traces::fb::WedgeKind_linear;
@@ -89,9 +94,9 @@ TEST(TruthOfSpheres, CoverageIsCloseToRays) {
   const Difference coverage =
       compare(scene, frame, reference_visibility(scene, frame.window, frame.depth, kRays));
   print("plain-columns, sphere, coverage", coverage);
-  EXPECT_LE(coverage.rms, 0.006);
-  EXPECT_LE(coverage.penumbra_rms, 0.015);
-  EXPECT_LE(coverage.far_off, 20);
+  EXPECT_LE(coverage.rms, kMostRms);
+  EXPECT_LE(coverage.penumbra_rms, kMostPenumbraRms);
+  EXPECT_LE(coverage.far_off, kMostFarOff);
 }
 
 }  // namespace
