@@ -99,7 +99,7 @@ Traversal::Traversal(const TraceView& trace, ZMethod method, const CountOptions&
       workers_([this] {
         Worker worker;
         for (const auto& [tile, size] : sizes_) {
-          worker.tallies.emplace_back(size.runs, frame_, method_);
+          worker.tallies.emplace_back(size.runs, frame_, method_, word_one(options_.li_format));
         }
         return worker;
       }) {
@@ -132,9 +132,9 @@ void Traversal::count_primitive(const Primitive& primitive, Worker& worker) {
   const int bands = (frame_.height() + kBandRows - 1) / kBandRows;
   for (int band = 0; band < bands; ++band) {
     Footprint& footprint = worker.footprint;
-    footprint.build(primitive, frame_, band, kernel_, word_one(options_.li_format));
+    footprint.build(primitive, frame_, band, kernel_);
     if (footprint.blocks().empty()) continue;
-    image_.add(primitive, footprint, frame_);
+    image_.add(primitive, footprint, frame_, kernel_, word_one(options_.li_format));
     for (std::size_t i = 0; i < footprint.blocks().size(); ++i) {
       worker.sums.pixels_covered += bit_count(footprint.outline(i)) + bit_count(footprint.umbra(i));
       worker.sums.pixels_inside += bit_count(footprint.inside(i));

@@ -7,10 +7,8 @@
 namespace wedgesim::model {
 namespace {
 
-// The pixels of a polygon's 8 row spans within the block at first_x.
-std::uint64_t block_bits(const Footprint::SpanRows& rows, int first_x) {
-  if (first_x + kBlock <= rows.any_begin || first_x >= rows.any_end) return 0;
-  if (first_x >= rows.all_begin && first_x + kBlock <= rows.all_end) return ~std::uint64_t{0};
+// The pixels of a polygon's 8 row spans within the block at first_x, which its rim crosses.
+std::uint64_t rim_bits(const Footprint::SpanRows& rows, int first_x) {
   std::uint64_t bits = 0;
   for (std::size_t row = 0; row < kBlock; ++row) {
     const int begin = std::max(rows.spans[row].begin - first_x, 0);
@@ -19,6 +17,13 @@ std::uint64_t block_bits(const Footprint::SpanRows& rows, int first_x) {
     bits |= std::uint64_t{(1U << end) - (1U << begin)} << (kBlock * row);
   }
   return bits;
+}
+
+// The pixels of a polygon's 8 row spans within the block at first_x.
+inline std::uint64_t block_bits(const Footprint::SpanRows& rows, int first_x) {
+  if (first_x + kBlock <= rows.any_begin || first_x >= rows.any_end) return 0;
+  if (first_x >= rows.all_begin && first_x + kBlock <= rows.all_end) return ~std::uint64_t{0};
+  return rim_bits(rows, first_x);
 }
 
 Footprint::SpanRows span_rows(const Outline& outline, const ZFrame& frame, int first_y) {
@@ -41,12 +46,10 @@ Footprint::SpanRows span_rows(const Outline& outline, const ZFrame& frame, int f
 }  // namespace
 
 void Footprint::build(const Primitive& primitive, const ZFrame& frame, int band,
-                      const Kernel& kernel, double one) {
+                      const Kernel& kernel) {
   face_count_ = primitive.faces.size();
   find_blocks(primitive, frame, band);
   test_pixels(primitive, kernel);
-  words_.resize(std::max(words_.size(), blocks_.size() * kBlockPixels));
-  kernel.words(primitive.terms, one, blocks_, inside_.data(), negated_.data(), words_.data());
 }
 
 void Footprint::find_blocks(const Primitive& primitive, const ZFrame& frame, int band) {

@@ -15,7 +15,7 @@ namespace wedgesim::model {
 inline constexpr int kBandRows = 256;
 
 /// The pixels of one primitive in one band, block by block: which its polygons cover, which are
-/// inside the wedge, which the umbra polygon hits, and what each inside pixel contributes.
+/// inside the wedge, which the umbra polygon hits.
 /// Reused from primitive to primitive to keep its memory.
 class Footprint {
  public:
@@ -27,8 +27,7 @@ class Footprint {
   };
 
   /// \param band  rows [band * kBandRows, (band + 1) * kBandRows) of the frame
-  void build(const Primitive& primitive, const ZFrame& frame, int band, const Kernel& kernel,
-             double one);
+  void build(const Primitive& primitive, const ZFrame& frame, int band, const Kernel& kernel);
 
   /// Blocks with a covered pixel, by rows of blocks, left to right; those of block row r of the
   /// band are [row_begin(r), row_begin(r + 1)).
@@ -44,10 +43,11 @@ class Footprint {
   std::uint64_t umbra(std::size_t block) const { return umbra_[block]; }      // of the polygon
   std::uint64_t inside(std::size_t block) const { return inside_[block]; }
   std::uint64_t hits(std::size_t block) const { return hits_[block]; }
-  /// What the block's 64 pixels contribute, signed; 0 outside. Undefined if none is inside.
-  const std::int64_t* words(std::size_t block) const {
-    return words_.data() + block * kBlockPixels;
-  }
+  /// Pixels whose coverage is subtracted, not added; undefined outside the wedge.
+  std::uint64_t negated(std::size_t block) const { return negated_[block]; }
+  /// The same for all blocks.
+  const std::uint64_t* inside_sets() const { return inside_.data(); }
+  const std::uint64_t* negated_sets() const { return negated_.data(); }
 
  private:
   void find_blocks(const Primitive& primitive, const ZFrame& frame, int band);
@@ -59,7 +59,6 @@ class Footprint {
   std::vector<std::size_t> row_begin_;
   std::vector<std::uint64_t> faces_, outline_, umbra_, inside_, hits_, negated_, scratch_;
   std::vector<UmbraBits> umbra_bits_;
-  std::vector<std::int64_t> words_;
   std::vector<SpanRows> rows_;  // of the faces, then of the umbra polygon, at the block row at hand
 };
 

@@ -2,6 +2,7 @@
 // contribution.cpp: the same operations in the same order, no fused multiply-add.
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "model/count/atan.h"
 #include "model/count/kernel.h"
@@ -41,21 +42,20 @@ constexpr std::size_t kGroups = kBlock / kLanes;
 constexpr std::uint64_t kGroupBits = (std::uint64_t{1} << kLanes) - 1;
 using Row8 = std::array<V, kGroups>;
 
-// One plane over one block: a*x of its 8 columns and b*y of its 8 rows are kept.
+// A plane or row over one block: a*x of its 8 columns and b*y of its 8 rows are kept.
 struct BlockPlane {
   std::array<double, kBlock> ax, by;
   double c = 0.0, d = 0.0;
-  bool minus = false;
 
   BlockPlane() = default;
-  HWY_INLINE BlockPlane(const Plane& plane, const Block& block)
-      : c(plane.c), d(plane.d), minus(plane.minus) {
+  template <typename Linear>
+  HWY_INLINE BlockPlane(const Linear& linear, const Block& block) : c(linear.c), d(linear.d) {
     for (std::size_t k = 0; k < kBlock; k += kLanes) {
       const V centre = hn::Add(hn::Iota(HWY_NAMESPACE::d, static_cast<double>(k)), set(0.5));
       const V x = hn::Add(set(block.bx * 8.0), centre);
       const V y = hn::Add(set(block.by * 8.0), centre);
-      hn::StoreU(hn::Mul(set(plane.a), x), HWY_NAMESPACE::d, &ax[k]);
-      hn::StoreU(hn::Mul(set(plane.b), y), HWY_NAMESPACE::d, &by[k]);
+      hn::StoreU(hn::Mul(set(linear.a), x), HWY_NAMESPACE::d, &ax[k]);
+      hn::StoreU(hn::Mul(set(linear.b), y), HWY_NAMESPACE::d, &by[k]);
     }
   }
   HWY_INLINE V value(std::size_t row, std::size_t group, V z) const {
@@ -92,20 +92,30 @@ class DecidingPlanes {
       const bool far_inside = plane.inward_c() >= 0.0;
       if (!plane.reaches(box, far_inside ? z.max : z.min)) return false;
       if (plane.holds(box, far_inside ? z.min : z.max)) continue;
+      flips_[count_] = plane.minus ? -0.0 : 0.0;
       planes_[count_++] = BlockPlane(plane, block);
     }
     return true;
   }
-  std::span<const BlockPlane> planes() const { return {planes_.data(), count_}; }
+  bool empty() const { return count_ == 0; }
+  /// The sign bit tells whether a point is outside. No value is ever -0.
+  HWY_INLINE void or_outside(std::size_t row, const Row8& z, Row8& outside) const {
+    for (std::size_t p = 0; p < count_; ++p) {
+      const V flip = set(flips_[p]);
+      for (std::size_t g = 0; g < kGroups; ++g) {
+        outside[g] = hn::Or(outside[g], hn::Xor(planes_[p].value(row, g, z[g]), flip));
+      }
+    }
+  }
 
  private:
   std::array<BlockPlane, 8> planes_;
+  std::array<double, 8> flips_{};
   std::size_t count_ = 0;
 };
 
-// Set bits where a point of a row is outside. No value is ever -0, so signs alone decide: outside
-// a plus plane if its value has one, outside a minus plane if it has none.
-HWY_INLINE std::uint64_t outside_bits(std::span<const BlockPlane> planes, ZInterval interval,
+// Set bits where a point of a row is outside.
+HWY_INLINE std::uint64_t outside_bits(const DecidingPlanes& deciding, ZInterval interval,
                                       const double* z_of_row, std::size_t row) {
   Row8 z;
   Row8 outside;
@@ -113,12 +123,7 @@ HWY_INLINE std::uint64_t outside_bits(std::span<const BlockPlane> planes, ZInter
     z[g] = hn::LoadU(d, z_of_row + g * kLanes);
     outside[g] = hn::Or(hn::Sub(z[g], set(interval.min)), hn::Sub(set(interval.max), z[g]));
   }
-  for (const BlockPlane& plane : planes) {
-    const V flip = set(plane.minus ? -0.0 : 0.0);
-    for (std::size_t g = 0; g < kGroups; ++g) {
-      outside[g] = hn::Or(outside[g], hn::Xor(plane.value(row, g, z[g]), flip));
-    }
-  }
+  deciding.or_outside(row, z, outside);
   std::uint64_t bits = 0;
   for (std::size_t g = 0; g < kGroups; ++g) {
     bits |= (sign_bits(outside[g]) & kGroupBits) << (g * kLanes);
@@ -136,10 +141,10 @@ void inside(const Primitive& wedge, std::span<const Block> blocks, const std::ui
     result[i] = candidates[i];
     const bool in_interval =
         block.z_interval.min >= wedge.z.min && block.z_interval.max <= wedge.z.max;
-    if (in_interval && deciding.planes().empty()) continue;
+    if (in_interval && deciding.empty()) continue;
     std::uint64_t outside = 0;
     for_each_row(candidates[i], [&](std::size_t row) HWY_ATTR {
-      outside |= outside_bits(deciding.planes(), wedge.z, block.z + 8 * row, row) << (8 * row);
+      outside |= outside_bits(deciding, wedge.z, block.z + 8 * row, row) << (8 * row);
     });
     result[i] &= ~outside;
   }
@@ -186,26 +191,37 @@ void umbra(const Plane& plane, ZInterval interval, std::span<const Block> blocks
   }
 }
 
-struct Point {
-  V x, y, z;
+// What is linear in x, y and z, at one group of lanes of a block.
+struct Here {
+  const BlockPlane* rows;
+  std::size_t row, group;
+  V z;
+  HWY_INLINE V operator()(std::size_t i) const { return rows[i].value(row, group, z); }
 };
 
-template <typename Linear>  // Row or Plane
-V at(const Linear& row, const Point& p) {
-  const V ab = hn::Add(hn::Mul(set(row.a), p.x), hn::Mul(set(row.b), p.y));
-  return hn::Add(hn::Add(ab, hn::Mul(set(row.c), p.z)), set(row.d));
+std::array<Row, 4> rows_of(const LinearTerms& terms) {
+  // Turned inwards: that changes no bit of a value but its sign.
+  std::array<Row, 4> rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Plane& plane = terms.planes[i];
+    const double sign = plane.minus ? -1.0 : 1.0;
+    rows[i] = {sign * plane.a, sign * plane.b, sign * plane.c, sign * plane.d};
+  }
+  return rows;
+}
+std::array<Row, 6> rows_of(const RectangleTerms& terms) {
+  const auto& [p, q] = terms.ends;
+  return {p.u, p.v, p.w, q.u, q.v, q.w};
+}
+std::array<Row, 4> rows_of(const SphereTerms& terms) {
+  return {terms.x, terms.y, terms.z, terms.w};
 }
 
-V inward(const Plane& plane, const Point& p) {
-  const V value = at(plane, p);
-  return plane.minus ? hn::Neg(value) : value;
-}
-
-V value_of(const LinearTerms& terms, const Point& p) {
-  const V front = inward(terms.planes[0], p);
-  const V back = inward(terms.planes[1], p);
-  const V left = inward(terms.planes[2], p);
-  const V right = inward(terms.planes[3], p);
+V value_of(const LinearTerms& terms, const Here& here) {
+  const V front = here(0);
+  const V back = here(1);
+  const V left = here(2);
+  const V right = here(3);
   const V back_left = hn::Mul(back, set(terms.factors[1]));
   const V back_right = hn::Mul(back, set(terms.factors[3]));
   const V thick_left = hn::Add(hn::Mul(front, set(terms.factors[0])), back_left);
@@ -250,13 +266,13 @@ V perimeter(V u, V v) {
 
 V along(V begin, V t, V direction) { return hn::Add(begin, hn::Mul(t, direction)); }
 
-V value_of(const RectangleTerms& terms, const Point& p) {
-  const V u0 = at(terms.ends[0].u, p);
-  const V v0 = at(terms.ends[0].v, p);
-  const V w0 = at(terms.ends[0].w, p);
-  const V u1 = at(terms.ends[1].u, p);
-  const V v1 = at(terms.ends[1].v, p);
-  const V w1 = at(terms.ends[1].w, p);
+V value_of(const RectangleTerms&, const Here& here) {
+  const V u0 = here(0);
+  const V v0 = here(1);
+  const V w0 = here(2);
+  const V u1 = here(3);
+  const V v1 = here(4);
+  const V w1 = here(5);
   const V zero = hn::Zero(d);
   Part part{zero, set(1.0), hn::Eq(zero, zero)};
   clip(hn::Sub(w0, u0), hn::Sub(w1, u1), part);
@@ -316,10 +332,10 @@ Vector along(const Vector& begin, V t, const Vector& direction) {
           along(begin.z, t, direction.z)};
 }
 
-V value_of(const SphereTerms& terms, const Point& point) {
+V value_of(const SphereTerms& terms, const Here& here) {
   const V zero = hn::Zero(d);
-  const Vector p{at(terms.x, point), at(terms.y, point), at(terms.z, point)};
-  const V w = at(terms.w, point);
+  const Vector p{here(0), here(1), here(2)};
+  const V w = here(3);
   const V pp = dot(p, p);
   const V g = hn::Sub(pp, hn::Mul(w, w));
   M alive = hn::Gt(g, zero);
@@ -374,24 +390,29 @@ template <typename Terms>
 void words_of(const Terms& terms, double one, std::span<const Block> blocks,
               const std::uint64_t* sets, const std::uint64_t* negated, std::int64_t* result) {
   const auto magic = hn::BitCast(di, set(kRoundMagic));
+  const auto rows = rows_of(terms);
+  std::array<BlockPlane, std::tuple_size_v<decltype(rows)>> placed;
   for (std::size_t i = 0; i < blocks.size(); ++i, result += kBlockPixels) {
     if (sets[i] == 0) continue;
-    const V first_x = hn::Iota(d, 0.0);
+    for (std::size_t k = 0; k < rows.size(); ++k) placed[k] = BlockPlane(rows[k], blocks[i]);
+    const bool turns = (sets[i] & negated[i]) != 0;
     for (std::size_t shift = 0; shift < kBlockPixels; shift += kLanes) {
       const std::uint64_t bits = sets[i] >> shift & kGroupBits;
       if (bits == 0) {
         hn::StoreU(hn::Zero(di), di, result + shift);
         continue;
       }
-      const auto column = static_cast<double>(shift % kBlock);
-      const auto row = static_cast<double>(shift / kBlock);
-      const Point p{hn::Add(first_x, set(blocks[i].bx * 8.0 + column + 0.5)),
-                    set(blocks[i].by * 8.0 + row + 0.5), hn::LoadU(d, blocks[i].z + shift)};
-      const V shifted = hn::Add(hn::Mul(value_of(terms, p), set(one)), set(kRoundMagic));
+      const Here here{placed.data(), shift / kBlock, shift % kBlock / kLanes,
+                      hn::LoadU(d, blocks[i].z + shift)};
+      const V shifted = hn::Add(hn::Mul(value_of(terms, here), set(one)), set(kRoundMagic));
       const auto word = hn::Sub(hn::BitCast(di, shifted), magic);
+      const auto kept = hn::And(word, lanes_of(bits));
+      if (!turns) {
+        hn::StoreU(kept, di, result + shift);
+        continue;
+      }
       const auto sign = lanes_of(negated[i] >> shift);
-      const auto turned = hn::Sub(hn::Xor(word, sign), sign);  // -word where sign is all ones
-      hn::StoreU(hn::And(turned, lanes_of(bits)), di, result + shift);
+      hn::StoreU(hn::Sub(hn::Xor(kept, sign), sign), di, result + shift);  // -kept if all ones
     }
   }
 }

@@ -10,7 +10,8 @@ namespace wedgesim::model {
 namespace {
 
 // Adds the words of a block's set, row by row: the rows without any are many.
-void add_words(const std::int64_t* words, std::uint64_t set, std::int64_t* sums) {
+void add_words(const std::int64_t* __restrict words, std::uint64_t set,
+               std::int64_t* __restrict sums) {
   for (int row = 0; row < kBlock; ++row, words += kBlock, sums += kBlock) {
     if ((set >> (kBlock * row) & 0xff) == 0) continue;
     for (int column = 0; column < kBlock; ++column) sums[column] += words[column];
@@ -43,24 +44,33 @@ LightImage::LightImage(const ZFrame& frame)
       subtracted_(blocks_),
       locks_(std::make_unique<tbb::spin_mutex[]>(kLocks)) {}
 
-void LightImage::add(const Primitive& primitive, const Footprint& footprint, const ZFrame& frame) {
+void LightImage::add(const Primitive& primitive, const Footprint& footprint, const ZFrame& frame,
+                     const Kernel& kernel, double one) {
   PixelCounters& hits =
       primitive.polygon && primitive.polygon->stencil_step > 0 ? added_ : subtracted_;
+  constexpr std::size_t kChunk = 16;  // blocks whose words stay in the first-level cache
+  std::array<std::int64_t, kChunk * kBlockPixels> words;
   std::unique_lock<tbb::spin_mutex> lock;
-  for (std::size_t i = 0; i < footprint.blocks().size(); ++i) {
+  const std::span<const Block> blocks = footprint.blocks();
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (primitive.wedge && i % kChunk == 0) {
+      lock = {};
+      const std::size_t count = std::min(kChunk, blocks.size() - i);
+      kernel.words(primitive.terms, one, blocks.subspan(i, count), footprint.inside_sets() + i,
+                   footprint.negated_sets() + i, words.data());
+    }
     const std::uint64_t inside = footprint.inside(i);
     if ((inside | footprint.hits(i)) == 0) continue;
-    const Block& at = footprint.blocks()[i];
-    const std::size_t block = frame.block(at.bx, at.by);
+    const std::size_t block = frame.block(blocks[i].bx, blocks[i].by);
     tbb::spin_mutex& mutex = locks_[block / kBlocksALock % kLocks];
     if (lock.mutex() != &mutex) {
-      if (lock) lock.unlock();
+      lock = {};
       lock = std::unique_lock(mutex);
     }
     if (footprint.hits(i) != 0) hits.add(block, footprint.hits(i));
     if (inside == 0) continue;
     inside_.add(block, inside);
-    add_words(footprint.words(i), inside, &penumbra_[block * kBlockPixels]);
+    add_words(&words[i % kChunk * kBlockPixels], inside, &penumbra_[block * kBlockPixels]);
   }
 }
 

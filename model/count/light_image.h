@@ -49,8 +49,10 @@ class LightImage {
  public:
   explicit LightImage(const ZFrame& frame);
 
-  /// Adds all inside pixels and all hits of a footprint.
-  void add(const Primitive& primitive, const Footprint& footprint, const ZFrame& frame);
+  /// Adds the contributions of all inside pixels and all hits of a footprint.
+  /// \param one  word_one of the format
+  void add(const Primitive& primitive, const Footprint& footprint, const ZFrame& frame,
+           const Kernel& kernel, double one);
 
   /// The sums of a block's 64 pixels.
   /// \param penumbra       of coverages and intensities, in words

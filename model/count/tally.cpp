@@ -27,8 +27,9 @@ ConfigRun::ConfigRun(const CountConfig& configuration, const ZFrame& frame,
   }
 }
 
-TileTally::TileTally(std::span<ConfigRun* const> runs, const ZFrame& frame, ZMethod method)
-    : runs_(runs), frame_(frame), method_(method), corrections_(runs.size()) {
+TileTally::TileTally(std::span<ConfigRun* const> runs, const ZFrame& frame, ZMethod method,
+                     double one)
+    : runs_(runs), frame_(frame), method_(method), one_(one), corrections_(runs.size()) {
   for (const ConfigRun* run : runs) {
     counters_.push_back(std::make_unique<Counters>());
     needs_zmax_ = needs_zmax_ || run->config.cull == Cull::zmax;
@@ -218,6 +219,14 @@ void TileTally::touch(ConfigRun& run, const Outcome& outcome, bool shared) const
   }
 }
 
+std::int64_t TileTally::signed_word(std::size_t block, int bit) const {
+  const Block& at = footprint_->blocks()[block];
+  const std::int64_t word = to_word(contribution(primitive_->terms, at.bx * 8.0 + bit % 8 + 0.5,
+                                                 at.by * 8.0 + bit / 8 + 0.5, at.z[bit]),
+                                    one_);
+  return (footprint_->negated(block) >> bit & 1) != 0 ? -word : word;
+}
+
 void TileTally::correct(std::size_t run, const Outcome& outcome) {
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     const TilePart& part = parts_[k];
@@ -226,7 +235,7 @@ void TileTally::correct(std::size_t run, const Outcome& outcome) {
     const std::size_t first = frame_.block(at.bx, at.by) * kBlockPixels;
     const std::uint64_t inside = footprint_->inside(part.block);
     for_each_bit(inside & part.bits & ~sets.writes, [&](int bit) {
-      const std::int64_t word = footprint_->words(part.block)[bit];
+      const std::int64_t word = signed_word(part.block, bit);
       corrections_[run].push_back({first + static_cast<std::size_t>(bit), -word, 0});
     });
     const std::uint64_t hits = footprint_->hits(part.block) & part.bits;

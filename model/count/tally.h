@@ -42,7 +42,8 @@ struct ConfigRun {
 class TileTally {
  public:
   /// \param runs  of the same tile size
-  TileTally(std::span<ConfigRun* const> runs, const ZFrame& frame, ZMethod method);
+  /// \param one   word_one of the format
+  TileTally(std::span<ConfigRun* const> runs, const ZFrame& frame, ZMethod method, double one);
 
   void count(const Primitive& primitive, const Footprint& footprint);
 
@@ -87,11 +88,13 @@ class TileTally {
   UmbraState umbra_state(const CountConfig& config, Counters& counters) const;
   const Outcome& outcome(std::uint64_t survivors, UmbraState umbra);
   void touch(ConfigRun& run, const Outcome& outcome, bool shared) const;
+  std::int64_t signed_word(std::size_t block, int bit) const;
   void correct(std::size_t run, const Outcome& outcome);
 
   std::span<ConfigRun* const> runs_;
   const ZFrame& frame_;
   ZMethod method_;
+  double one_;
   bool needs_zmax_ = false, needs_planes_ = false, needs_sat_ = false;
   std::vector<std::unique_ptr<Counters>> counters_;
   std::vector<std::vector<Correction>> corrections_;
