@@ -124,6 +124,11 @@ EndPlane choose_end_plane(const Mesh& caster, const Silhouette& silhouette, cons
       consider({-direction, bounds.high[axis] + beyond}, kGrazingSine);
     }
   }
+  if (std::isinf(best_way) && length) {
+    throw InputError(caster.name,
+                     "a ray of its penumbra never reaches the plane at the fixed length",
+                     "automatic length");
+  }
   if (std::isinf(best_way)) {
     consider(plane_behind(across, corners_of(bounds), beyond), kSmallestSine);
   }

@@ -119,10 +119,14 @@ std::uint32_t ScreenBuilder::add_umbra_polygon(std::span<const glm::dvec3> outli
   const std::vector<WindowPoint> points = clip_to_window(window_, outline);
   if (points.empty()) return traces::kNone;
   const auto [z_min, z_max] = depth_range(points);
+  std::vector<std::vector<SnappedPoint>> parts = convex_parts(snap(points));
+  // The wedge's is the largest part; the others are slivers of a snapped outline.
+  std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+    return std::abs(doubled_area(a)) > std::abs(doubled_area(b));
+  });
   std::uint32_t result = traces::kNone;
-  const auto parts = convex_parts(snap(points));
   for (const auto& part : parts) {
-    if (part.size() < 3) continue;
+    if (doubled_area(part) == 0) break;
     const auto [first, count] = add_outline(part);
     const bool is_first = result == traces::kNone;
     if (is_first) result = static_cast<std::uint32_t>(trace_.umbra_polygons.size());

@@ -24,7 +24,7 @@ class ScreenBuilder {
   std::uint32_t plane_reference(const glm::dvec4& world_plane);
 
   /// Adds an umbra polygon, clipped and snapped; one whose snapped outline is not convex becomes
-  /// triangles, of which the first alone belongs to the wedge.
+  /// triangles, of which the largest alone belongs to the wedge; what covers nothing is left out.
   /// \param twisted  the outline may be wound against its plane, or be a figure of eight: each part
   ///                 takes the side of the plane that goes with the way it is wound
   /// \param plane  reference, or 0 for a cap

@@ -57,6 +57,9 @@ void fill_header(const Scene& scene, const Window& window, const FrameOptions& o
 }  // namespace
 
 Frame make_frame(const Scene& scene, const FrameOptions& options) {
+  if (scene.light.shape != LightShape::point && !has_extent(scene.light)) {
+    throw InputError(scene.name, "the light has no extent", "a point light");
+  }
   Frame frame;
   frame.window = make_window(scene.camera, scene.width, scene.height);
   frame.depth = render_depth(frame.window, scene.objects, options.depth_format);

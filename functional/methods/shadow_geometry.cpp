@@ -18,18 +18,6 @@ namespace {
 
 namespace fb = traces::fb;
 
-bool has_extent(const Light& light) {
-  switch (light.shape) {
-    case LightShape::rectangle:
-      return glm::length(light.half_u) > 0.0 && glm::length(light.half_v) > 0.0;
-    case LightShape::sphere:
-      return light.radius > 0.0;
-    case LightShape::point:
-      return false;
-  }
-  return false;
-}
-
 void check_light_is_clear(const Mesh& mesh, const Light& light, const glm::dmat4& to_light) {
   for (const glm::dvec3& p : mesh.positions) {
     const glm::dvec3 q(to_light * glm::dvec4(p, 1.0));

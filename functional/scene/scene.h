@@ -33,6 +33,14 @@ struct Light {
   glm::dvec3 colour{1.0};
 };
 
+/// Whether a light has an area; one without casts hard shadows.
+inline bool has_extent(const Light& light) {
+  if (light.shape == LightShape::rectangle) {
+    return light.half_u != glm::dvec3(0.0) && light.half_v != glm::dvec3(0.0);
+  }
+  return light.shape == LightShape::sphere && light.radius > 0.0;
+}
+
 struct Camera {
   glm::dvec3 eye{0.0};
   glm::dvec3 target{0.0};

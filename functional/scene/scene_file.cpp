@@ -147,6 +147,7 @@ Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
   set_frame(scene, read_camera(camera_table), options.frame, camera_table.place());
   const LightFile light = read_light(table.table("light"));
   scene.light = options.light_shape ? reshaped(light, *options.light_shape) : light.light;
+  if (!has_extent(scene.light)) scene.light.shape = LightShape::point;
   const ObjectContext context{{source.folder, options.mesh}, options.repair, notes};
   for (const TomlTable& object : table.tables("object")) {
     std::ranges::move(read_objects(object, context), std::back_inserter(scene.objects));

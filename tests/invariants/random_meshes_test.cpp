@@ -12,10 +12,11 @@ namespace wedgesim::tests {
 namespace {
 
 // WEDGESIM_SEED=N repeats one scene.
+bool repeats_one() { return std::getenv("WEDGESIM_SEED") != nullptr; }
 std::uint64_t first_seed() {
-  const char* text = std::getenv("WEDGESIM_SEED");
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : 1;
+  return repeats_one() ? std::strtoull(std::getenv("WEDGESIM_SEED"), nullptr, 10) : 1;
 }
+int at_least(int scenes) { return repeats_one() ? 0 : scenes; }
 
 struct Tally {
   int scenes = 0;
@@ -27,8 +28,7 @@ struct Tally {
 
 Tally run(EyePlace place, traces::fb::WedgeKind kind, int scenes) {
   Tally tally;
-  const bool one = std::getenv("WEDGESIM_SEED") != nullptr;
-  for (std::uint64_t seed = first_seed(); tally.scenes < (one ? 1 : scenes); ++seed) {
+  for (std::uint64_t seed = first_seed(); tally.scenes < (repeats_one() ? 1 : scenes); ++seed) {
     functional::FrameOptions options;
     options.kind = kind;
     options.depth_format =
@@ -55,13 +55,13 @@ Tally run(EyePlace place, traces::fb::WedgeKind kind, int scenes) {
 
 TEST(RandomMeshes, CoverageSeenFromOutside) {
   const Tally tally = run(EyePlace::outside, traces::fb::WedgeKind_coverage, 600);
-  EXPECT_GE(tally.z_pass, 400);
+  EXPECT_GE(tally.z_pass, at_least(400));
   EXPECT_LE(tally.most_witness_pixels, 8U);
 }
 
 TEST(RandomMeshes, CoverageSeenFromTheShadow) {
   const Tally tally = run(EyePlace::in_shadow, traces::fb::WedgeKind_coverage, 400);
-  EXPECT_GE(tally.z_fail, 300);
+  EXPECT_GE(tally.z_fail, at_least(300));
   EXPECT_LE(tally.most_witness_pixels, 8U);
 }
 
@@ -71,7 +71,8 @@ TEST(RandomMeshes, LinearSeenFromOutside) {
 }
 
 TEST(RandomMeshes, LinearSeenFromTheShadow) {
-  run(EyePlace::in_shadow, traces::fb::WedgeKind_linear, 100);
+  const Tally tally = run(EyePlace::in_shadow, traces::fb::WedgeKind_linear, 100);
+  EXPECT_GE(tally.z_fail, at_least(75));
 }
 
 }  // namespace

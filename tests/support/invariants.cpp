@@ -11,6 +11,7 @@
 #include "functional/methods/brute_force.h"
 #include "functional/methods/light_intensity.h"
 #include "functional/raster/depth_buffer.h"
+#include "model/count/contribution.h"
 #include "model/count/count.h"
 
 namespace wedgesim::tests {
@@ -98,17 +99,21 @@ glm::dvec3 point_of(const Frame& frame, std::size_t pixel) {
       traces::decode_depth(frame.depth.format, frame.depth.words[pixel]));
 }
 
-std::string check_integers(const Frame& frame) {
-  for (std::size_t pixel = 0; pixel < frame.depth.words.size(); ++pixel) {
-    const double li = frame.trace.expected_li[pixel];
-    if (is_sky(frame, pixel) || li == std::nearbyint(li)) continue;
+std::string check_integers(const Frame& frame, const std::vector<std::int64_t>& words) {
+  const auto one = static_cast<std::int64_t>(word_one(LiFormat::exact));
+  for (std::size_t pixel = 0; pixel < words.size(); ++pixel) {
+    const bool whole = words[pixel] % one == 0 && words[pixel] <= one;
+    if (is_sky(frame, pixel) || whole) continue;
     const glm::dvec3 p = point_of(frame, pixel);
     const bool in_wedge = std::any_of(
         frame.geometry.wedges.begin(), frame.geometry.wedges.end(), [&](const auto& wedge) {
           return std::all_of(wedge.planes.begin(), wedge.planes.end(),
                              [&](const auto& plane) { return plane.inside(p); });
         });
-    if (!in_wedge) return fmt::format("pixel {} is outside every wedge and has LI {}", pixel, li);
+    if (!in_wedge) {
+      return fmt::format("pixel {} is outside every wedge and has the word {}", pixel,
+                         words[pixel]);
+    }
   }
   return {};
 }
@@ -206,7 +211,7 @@ InvariantReport check_invariants(const functional::Scene& scene,
       }
     }
   }
-  if (report.failure.empty()) report.failure = check_integers(frame);
+  if (report.failure.empty() && coverage) report.failure = check_integers(frame, words);
   if (report.failure.empty()) report.failure = check_degrees(scene);
   if (report.failure.empty() && (coverage || !report.z_fail)) {
     report.failure = check_witness(scene, frame, report.witness_pixels);

@@ -18,7 +18,7 @@ struct InvariantReport {
 /// Checks the invariants of docs/counting.md and docs/renderer.md on a frame:
 /// - the block's LI words are the same for every mode, culling, acceptance, sharing, tile size,
 ///   thread count and kernel, none is lost to culling, and all pixels agree with the expected LI;
-/// - a point outside every wedge has an integer LI;
+/// - a point outside every wedge has LI exactly 1 - k, k a whole number >= 0 (coverage);
 /// - z-pass and z-fail give the same words on all surfaces (coverage, nothing near the eye);
 /// - every silhouette vertex has even degree;
 /// - the brute force differs only within 1/64 pixel of an umbra polygon's edge.
