@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/error.h"
+#include "functional/methods/brute_force.h"
 #include "functional/scene/scene_file.h"
 
 namespace wedgesim::functional {
@@ -56,6 +58,42 @@ TEST(Frame, ExpectedLightIsOptional) {
   EXPECT_EQ(with.trace.expected_li.size(), 80U * 53U);
   EXPECT_EQ(with.trace.li_sensitivity.size(), 80U * 53U);
   EXPECT_EQ(with.trace.wedges.size(), without.trace.wedges.size());
+}
+
+// Is a light without area a point light, with hard shadows as the brute force has them?
+TEST(Frame, LightsWithoutExtentCastHardShadows) {
+  Scene scene = small("cylinder");
+  scene.light.half_u = glm::dvec3(0.0);
+  EXPECT_THROW(make_frame(scene), InputError);
+  scene.light.shape = LightShape::point;
+  const Frame frame = make_frame(scene);
+  EXPECT_TRUE(frame.trace.wedges.empty());
+  std::vector<std::size_t> pixels(frame.depth.words.size());
+  std::iota(pixels.begin(), pixels.end(), std::size_t{0});
+  const std::vector<double> truth =
+      brute_force_light_intensity(scene, frame.window, frame.depth, frame.geometry, pixels);
+  std::size_t differing = 0;
+  std::size_t dark = 0;
+  for (const std::size_t i : pixels) {
+    if (frame.depth.triangle[i] == DepthBuffer::kSky) continue;
+    differing += truth[i] != frame.trace.expected_li[i] ? 1 : 0;
+    dark += frame.trace.expected_li[i] == 0.0 ? 1 : 0;
+  }
+  EXPECT_LE(differing, 8U);
+  EXPECT_GT(dark, 100U);
+}
+
+// Is a fixed length that a ray never reaches refused, and one it reaches kept?
+TEST(Frame, FixedLength) {
+  const Scene scene = small("cylinder");
+  FrameOptions options;
+  options.length = 3.0;
+  EXPECT_FALSE(make_frame(scene, options).trace.wedges.empty());
+  Scene beside = scene;
+  beside.light.centre = scene.objects[1].mesh.positions[0] + glm::dvec3(-0.8, 0.3, 0.0);
+  beside.light.shape = LightShape::sphere;
+  beside.light.radius = 0.7;
+  EXPECT_THROW(make_frame(beside, options), InputError);
 }
 
 // z-pass by itself where it is right, z-fail where the eye is in shadow, where z-pass is refused.
