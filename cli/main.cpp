@@ -93,24 +93,33 @@ int report(int code, std::string_view message) {
   return code;
 }
 
+// Runs the command and tells in one line what went wrong.
+int run_reporting(int argc, char** argv) {
+  CLI::App program("Simulates a GPU block that rasterizes penumbra wedges", "wedgesim");
+  program.footer("Example:\n  wedgesim study paper2\nwedgesim COMMAND --help says more.");
+  try {
+    return run(program, argc, argv);
+  } catch (const CLI::Success& wish) {  // --help
+    return program.exit(wish);
+  } catch (const CLI::ParseError& error) {
+    return report(kBadInput, message_of(error, program));
+  } catch (const InputError& error) {
+    return report(kBadInput, error.what());
+  } catch (const std::bad_alloc&) {
+    return report(kBadInput, "memory: not enough for this; expected a smaller frame");
+  } catch (const std::exception& error) {
+    return report(kCheckFailed, fmt::format("internal error: {}", error.what()));
+  }
+}
+
 }  // namespace
 }  // namespace wedgesim::cli
 
 int main(int argc, char** argv) {
-  using namespace wedgesim;
-  CLI::App program("Simulates a GPU block that rasterizes penumbra wedges", "wedgesim");
-  program.footer("Example:\n  wedgesim study paper2\nwedgesim COMMAND --help says more.");
   try {
-    return cli::run(program, argc, argv);
-  } catch (const CLI::Success& wish) {  // --help
-    return program.exit(wish);
-  } catch (const CLI::ParseError& error) {
-    return cli::report(cli::kBadInput, cli::message_of(error, program));
-  } catch (const InputError& error) {
-    return cli::report(cli::kBadInput, error.what());
-  } catch (const std::bad_alloc&) {
-    return cli::report(cli::kBadInput, "memory: not enough for this; expected a smaller frame");
-  } catch (const std::exception& error) {
-    return cli::report(cli::kCheckFailed, fmt::format("internal error: {}", error.what()));
+    return wedgesim::cli::run_reporting(argc, argv);
+  } catch (...) {  // what cannot even be told
+    std::fputs("internal error\n", stderr);
+    return wedgesim::cli::kCheckFailed;
   }
 }

@@ -21,8 +21,6 @@
 namespace wedgesim::reports {
 namespace {
 
-using model::CountConfig;
-
 constexpr model::LiFormat kFormat = model::LiFormat::exact;
 
 class SceneRun {

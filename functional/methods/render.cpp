@@ -55,7 +55,7 @@ View render_view(const Scene& scene, Method method, int samples) {
   if (method == Method::hard) lit.light.shape = LightShape::point;
   Frame frame = make_frame(lit, options);
   const std::vector<double>& li = frame.trace.expected_li;
-  View view{std::move(frame.window), std::move(frame.depth), std::vector<float>(li.size())};
+  View view{frame.window, std::move(frame.depth), std::vector<float>(li.size())};
   std::ranges::transform(li, view.visibility.begin(),
                          [](double value) { return static_cast<float>(value); });
   return view;

@@ -1,0 +1,82 @@
+#include "functional/methods/render.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.h"
+#include "functional/scene/scene_file.h"
+
+namespace wedgesim::functional {
+namespace {
+
+struct Render : testing::Test {
+  static Scene small_scene(const std::string& name) {
+    SceneOptions options;
+    options.size = {48, 32};
+    return load_scene(name, options);
+  }
+  Scene scene = small_scene("plain-columns");
+  Window window = make_window(scene.camera, scene.width, scene.height);
+  DepthBuffer depth = render_depth(window, scene.objects, traces::fb::DepthFormat_float32);
+
+  Image shaded(float visibility) const {
+    return shade(scene, window, depth, std::vector<float>(depth.words.size(), visibility));
+  }
+};
+
+TEST_F(Render, LightBrightensSurfacesButNotTheSky) {
+  const Image lit = shaded(1.0F);
+  const Image dark = shaded(0.0F);
+  std::size_t brighter = 0;
+  for (std::size_t i = 0; i < depth.words.size(); ++i) {
+    const float* a = &lit.values[3 * i];
+    const float* b = &dark.values[3 * i];
+    if (depth.triangle[i] == DepthBuffer::kSky) {
+      EXPECT_TRUE(std::equal(a, a + 3, b)) << i;
+    } else {
+      for (int c = 0; c < 3; ++c) EXPECT_GE(a[c], b[c]) << i;
+      if (a[1] > b[1] + 0.1F) ++brighter;
+    }
+  }
+  EXPECT_GT(brighter, depth.words.size() / 4);
+}
+
+TEST_F(Render, VisibilityIsClamped) {
+  EXPECT_EQ(shaded(1.5F).values, shaded(1.0F).values);
+  EXPECT_EQ(shaded(-0.5F).values, shaded(0.0F).values);
+  EXPECT_NE(shaded(0.5F).values, shaded(1.0F).values);
+}
+
+TEST_F(Render, AnotherNumberOfPixelsIsABug) {
+  EXPECT_THROW(shade(scene, window, depth, {1.0F}), CheckError);
+}
+
+TEST_F(Render, EveryMethodSeesTheSameShadows) {
+  const View reference = render_view(scene, Method::reference, 256);
+  for (const Method method : {Method::coverage, Method::hard}) {
+    const View view = render_view(scene, method);
+    ASSERT_EQ(view.visibility.size(), reference.visibility.size());
+    std::size_t shadowed = 0;
+    std::size_t agree = 0;
+    for (std::size_t i = 0; i < view.visibility.size(); ++i) {
+      if (view.depth.triangle[i] == DepthBuffer::kSky || reference.visibility[i] > 0.02F) continue;
+      ++shadowed;
+      if (view.visibility[i] < 0.1F) ++agree;
+    }
+    EXPECT_GT(shadowed, 20U);
+    EXPECT_GE(agree, shadowed - shadowed / 20) << static_cast<int>(method);
+  }
+}
+
+TEST(EncodeSrgb, FollowsTheStandardCurve) {
+  Image linear(5, 1, 1);
+  linear.values = {-1.0F, 0.002F, 0.2140411F, 1.0F, 3.0F};
+  const std::array<float, 5> expected{0.0F, 0.02584F, 0.5F, 1.0F, 1.0F};
+  const Image encoded = encode_srgb(linear);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(encoded.values[i], expected[i], 1e-5F) << i;
+}
+
+}  // namespace
+}  // namespace wedgesim::functional
