@@ -70,7 +70,7 @@ class Traversal {
                      CountResult& result);
   std::vector<Correction> collect(const TileSize& size, std::size_t run, Counters& counters);
   std::uint64_t build_reads(const ConfigRun& run) const;
-  std::vector<std::uint32_t> by_rows(const std::vector<std::uint32_t>& map) const;
+  std::vector<std::uint32_t> by_rows(std::vector<std::uint32_t> map) const;
 
   const TraceView& trace_;
   ZMethod method_;
@@ -169,7 +169,7 @@ void Traversal::finish_config(const TileSize& size, std::size_t index, const Fra
                               CountResult& result) {
   result.counters = std::make_unique<Counters>();
   Counters& counters = *result.counters;
-  const ConfigRun& run = *size.runs[index];
+  ConfigRun& run = *size.runs[index];
   std::vector<Correction> corrections = collect(size, index, counters);
   result.wrong_contributions = corrections.size();
   const bool wrong = !corrections.empty();
@@ -196,8 +196,8 @@ void Traversal::finish_config(const TileSize& size, std::size_t index, const Fra
                  summary.stencil_not_zero);
   result.pixels = summary.pixels;
   if (!options_.maps) return;
-  result.z_reads = by_rows(run.z_reads);
-  result.li_writes = by_rows(run.li_writes);
+  result.z_reads = by_rows(std::move(run.z_reads));
+  result.li_writes = by_rows(std::move(run.li_writes));
   result.li = finished.words();
 }
 
@@ -229,7 +229,7 @@ std::uint64_t Traversal::build_reads(const ConfigRun& run) const {
   return reads;
 }
 
-std::vector<std::uint32_t> Traversal::by_rows(const std::vector<std::uint32_t>& map) const {
+std::vector<std::uint32_t> Traversal::by_rows(std::vector<std::uint32_t> map) const {
   std::vector<std::uint32_t> rows;
   rows.reserve(trace_.depth.size());
   for (int y = 0; y < frame_.height(); ++y) {
