@@ -12,6 +12,16 @@ Accesses accesses_of(const CountResult& result) {
   return {counters.z_reads.value(), counters.li_writes.value(), counters.tile_visits.value()};
 }
 
+std::uint64_t floor_of(const CountResult& result) {
+  return result.counters->z_reads_floor.value() + result.counters->li_writes_floor.value();
+}
+
+std::optional<double> over_floor(const CountResult& result) {
+  const std::uint64_t floor = floor_of(result);
+  if (floor == 0) return std::nullopt;
+  return static_cast<double>(accesses_of(result).total()) / static_cast<double>(floor);
+}
+
 const CountResult* find(const SceneResults& scene, const CountConfig& config) {
   for (const CountResult& result : scene.results) {
     if (result.config == config) return &result;

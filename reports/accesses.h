@@ -15,6 +15,11 @@ struct Accesses {
 };
 Accesses accesses_of(const model::CountResult& result);
 
+/// The words that any design must read and write for this frame, and how often over them a run
+/// goes; nothing if there are none.
+std::uint64_t floor_of(const model::CountResult& result);
+std::optional<double> over_floor(const model::CountResult& result);
+
 /// The result of a configuration on a scene; null if the study does not hold it.
 const model::CountResult* find(const SceneResults& scene, const model::CountConfig& config);
 

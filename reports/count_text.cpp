@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
+#include "reports/accesses.h"
 #include "reports/table.h"
 
 namespace wedgesim::reports {
@@ -59,6 +61,20 @@ void add_counters(Table& table, std::span<const CountResult> results) {
   }
 }
 
+// Paper II's totals; all_bytes, which holds everything else too, is a counter.
+void add_totals(Table& table, std::span<const CountResult> results) {
+  auto total =
+      row("accesses", results, [](const auto& r) { return grouped(accesses_of(r).total()); });
+  total.insert(total.end(), {"accesses", "z_reads + li_writes"});
+  table.add_row(std::move(total));
+  auto ratio = row("accesses / floor", results, [](const auto& r) {
+    const std::optional<double> over = over_floor(r);
+    return over ? fmt::format("{:.2f}", *over) : "-";
+  });
+  ratio.insert(ratio.end(), {"", "floor: z_reads_floor + li_writes_floor"});
+  table.add_row(std::move(ratio));
+}
+
 }  // namespace
 
 bool held(std::span<const CountResult> results) {
@@ -80,6 +96,8 @@ std::string count_text(const TraceInfo& trace, std::span<const CountResult> resu
     add_configuration(table, some);
     table.add_rule();
     add_counters(table, some);
+    table.add_rule();
+    add_totals(table, some);
     text += table.text() + '\n';
   }
   const auto failed = std::ranges::find_if_not(results, [](const auto& r) { return held(r); });

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/file.h"
+#include "reports/accesses.h"
 
 namespace wedgesim::reports {
 namespace {
@@ -73,6 +74,10 @@ Json to_json(const model::CountResult& result, model::LiFormat format) {
           {"tile_build", spelling(config.tile_build)},
           {"datapath", spelling(format)},
           {"counters", counters_json(*result.counters)},
+          {"totals",
+           {{"accesses", accesses_of(result).total()},
+            {"accesses_floor", floor_of(result)},
+            {"all_bytes", result.counters->all_bytes.value()}}},
           {"pixels", pixels_json(result.pixels)},
           {"wrong_contributions", result.wrong_contributions},
           {"timing", {{"seconds", result.seconds}}}};

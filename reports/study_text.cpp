@@ -30,9 +30,13 @@ std::string saved(std::uint64_t from, std::uint64_t to) {
   return percent ? fmt::format("{:.1f}", *percent) : "-";
 }
 
-std::string ratio(std::uint64_t accesses, std::uint64_t floor) {
-  if (floor == 0) return "-";
-  return fmt::format("{:.2f}", static_cast<double>(accesses) / static_cast<double>(floor));
+std::string ratio(const CountResult& result) {
+  const std::optional<double> over = over_floor(result);
+  return over ? fmt::format("{:.2f}", *over) : "-";
+}
+
+std::string megabytes(const CountResult& result) {
+  return fmt::format("{:.2f}", static_cast<double>(result.counters->all_bytes.value()) / 1e6);
 }
 
 void add_access_columns(Table& table) {
@@ -44,8 +48,10 @@ void add_access_columns(Table& table) {
   table.add_column("reads", Table::Align::right, "single-pass saves %");
   table.add_column("writes", Table::Align::right);
   table.add_column("total", Table::Align::right);
-  table.add_column("three", Table::Align::right, "total / floor");
-  table.add_column("single", Table::Align::right);
+  for (const char* group : {"total / floor", "all_bytes, MB"}) {
+    table.add_column("three", Table::Align::right, group);
+    table.add_column("single", Table::Align::right);
+  }
 }
 
 // Both modes of one configuration beside each other; three-pass without what it does not know.
@@ -59,8 +65,6 @@ void add_accesses(Table& table, std::vector<std::string> cells, const SceneResul
   if (single == nullptr || three == nullptr) return;
   const Accesses a = accesses_of(*three);
   const Accesses b = accesses_of(*single);
-  const model::Counters& floors = *single->counters;
-  const std::uint64_t floor = floors.z_reads_floor.value() + floors.li_writes_floor.value();
   for (const Accesses& mode : {a, b}) {
     for (const std::uint64_t number : {mode.reads, mode.writes, mode.total()}) {
       cells.push_back(thousands(number));
@@ -69,8 +73,7 @@ void add_accesses(Table& table, std::vector<std::string> cells, const SceneResul
   cells.push_back(saved(a.reads, b.reads));
   cells.push_back(saved(a.writes, b.writes));
   cells.push_back(saved(a.total(), b.total()));
-  cells.push_back(ratio(a.total(), floor));
-  cells.push_back(ratio(b.total(), floor));
+  cells.insert(cells.end(), {ratio(*three), ratio(*single), megabytes(*three), megabytes(*single)});
   table.add_row(std::move(cells));
 }
 

@@ -21,6 +21,7 @@ inline model::CountResult make_result(const model::CountConfig& config, std::uin
   result.counters->tile_visits = visits;
   result.counters->z_reads_floor = 100;
   result.counters->li_writes_floor = 50;
+  result.counters->all_bytes = 2500 * reads;
   result.pixels.compared = 6;
   result.pixels.tolerance = 1e-6;
   result.seconds = 0.25;

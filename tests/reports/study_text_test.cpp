@@ -20,7 +20,7 @@ TEST(StudyText, HasBothModesByTileAndWhatIsSaved) {
   // Ratios to the floor of 150: (1000 + 500) / 150 and (800 + 450) / 150.
   EXPECT_TRUE(contains(text,
                        "      4       1.0        0.5    1.5       0.8        0.5    1.2    20.0  "
-                       "  10.0   16.7   10.00    8.33\n"))
+                       "  10.0   16.7   10.00    8.33    2.50    2.00\n"))
       << text;
   EXPECT_TRUE(contains(text, "three-pass 4, 4, 4, 8; single-pass 4, 4, 8, 8")) << text;
   EXPECT_TRUE(contains(text, "pixels: 6 compared in 4 configurations;")) << text;
