@@ -91,7 +91,7 @@ Traversal::Traversal(const TraceView& trace, ZMethod method, const CountOptions&
     : trace_(trace),
       method_(method),
       options_(options),
-      kernel_(options.kernel == KernelChoice::scalar ? kScalarKernel : simd_kernel()),
+      kernel_(options.kernel == KernelChoice::scalar ? scalar_kernel() : simd_kernel()),
       configs_(configs),
       frame_(trace),
       image_(frame_),
@@ -284,16 +284,15 @@ std::vector<CountResult> count(const TraceView& trace, std::span<const CountConf
   tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
                                              : static_cast<int>(options.threads));
   const std::size_t limit = batch_size(trace, options.maps);
-  for (const auto& [method, indices] : by_method) {
+  for (const auto& entry : by_method) {
+    const std::span<const std::size_t> indices = entry.second;
     for (std::size_t first = 0; first < indices.size(); first += limit) {
-      const std::size_t last = std::min(indices.size(), first + limit);
-      std::vector<CountConfig> batch;
-      for (std::size_t i = first; i < last; ++i) batch.push_back(configs[indices[i]]);
-      arena.execute([&, z = method] {
-        std::vector<CountResult> part = count_batch(trace, z, options, batch);
-        for (std::size_t i = first; i < last; ++i) {
-          results[indices[i]] = std::move(part[i - first]);
-        }
+      const auto batch = indices.subspan(first, std::min(limit, indices.size() - first));
+      std::vector<CountConfig> part;
+      for (std::size_t i : batch) part.push_back(configs[i]);
+      arena.execute([&] {
+        std::vector<CountResult> counted = count_batch(trace, entry.first, options, part);
+        for (std::size_t i = 0; i < batch.size(); ++i) results[batch[i]] = std::move(counted[i]);
       });
     }
   }

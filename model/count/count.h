@@ -49,7 +49,7 @@ ZMethod resolve_z(const traces::TraceView& trace, ZChoice choice);
 ///                 `seconds` apart
 /// \throws         InputError if a configuration is out of range, or asks for z-pass where the
 ///                 trace needs z-fail
-/// Memory: the frame's buffers (28 bytes a pixel, 20 more for maps) and 1/4 byte a pixel and
+/// Memory: the frame's buffers (24 bytes a pixel, 24 more for maps) and 1/4 byte a pixel and
 /// configuration; many configurations on a large frame are walked in batches.
 std::vector<CountResult> count(const traces::TraceView& trace, std::span<const CountConfig> configs,
                                const CountOptions& options = {});

@@ -17,6 +17,10 @@ struct Block {
   ZInterval z_interval;       // around them
 };
 
+/// The centre of one of a block's pixels.
+inline double centre_x(const Block& block, int bit) { return block.bx * 8.0 + (bit & 7) + 0.5; }
+inline double centre_y(const Block& block, int bit) { return block.by * 8.0 + (bit >> 3) + 0.5; }
+
 /// What the umbra polygon's plane and interval say at a block's pixels.
 struct UmbraBits {
   std::uint64_t inner = 0;   // inside the plane
@@ -42,7 +46,7 @@ struct Kernel {
 };
 
 /// The plain loop, which says what the others must give.
-extern const Kernel kScalarKernel;
+const Kernel& scalar_kernel();
 
 /// By Highway, for every instruction set that this processor runs, the widest first; the first.
 const std::vector<Kernel>& simd_kernels();

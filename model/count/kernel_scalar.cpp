@@ -6,9 +6,6 @@
 namespace wedgesim::model {
 namespace {
 
-double centre_x(const Block& block, int bit) { return block.bx * 8.0 + (bit & 7) + 0.5; }
-double centre_y(const Block& block, int bit) { return block.by * 8.0 + (bit >> 3) + 0.5; }
-
 void inside(const Primitive& wedge, std::span<const Block> blocks, const std::uint64_t* candidates,
             std::uint64_t* result) {
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -57,6 +54,9 @@ void words(const LightTerms& terms, double one, std::span<const Block> blocks,
 
 }  // namespace
 
-const Kernel kScalarKernel{"scalar", inside, umbra, words};
+const Kernel& scalar_kernel() {
+  static const Kernel kernel{"scalar", inside, umbra, words};
+  return kernel;
+}
 
 }  // namespace wedgesim::model

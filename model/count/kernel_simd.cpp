@@ -23,21 +23,22 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<double, kBlock>;  // lanes never straddle a block's row
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
-constexpr D d;
-constexpr hn::RebindToSigned<D> di;
+constexpr D kTag;
+constexpr hn::RebindToSigned<D> kIntTag;
 
-V set(double value) { return hn::Set(d, value); }
+V set(double value) { return hn::Set(kTag, value); }
 
 // The lanes' sign bits, lane 0 lowest.
 std::uint64_t sign_bits(V v) {
   std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(d, hn::MaskFromVec(hn::BitCast(d, hn::BroadcastSignBit(hn::BitCast(di, v)))),
-                    bytes.data());
+  hn::StoreMaskBits(
+      kTag, hn::MaskFromVec(hn::BitCast(kTag, hn::BroadcastSignBit(hn::BitCast(kIntTag, v)))),
+      bytes.data());
   return bytes[0];
 }
 
 // The groups of lanes of a block's row.
-constexpr std::size_t kLanes = hn::MaxLanes(d);
+constexpr std::size_t kLanes = hn::MaxLanes(kTag);
 constexpr std::size_t kGroups = kBlock / kLanes;
 constexpr std::uint64_t kGroupBits = (std::uint64_t{1} << kLanes) - 1;
 using Row8 = std::array<V, kGroups>;
@@ -51,15 +52,15 @@ struct BlockPlane {
   template <typename Linear>
   HWY_INLINE BlockPlane(const Linear& linear, const Block& block) : c(linear.c), d(linear.d) {
     for (std::size_t k = 0; k < kBlock; k += kLanes) {
-      const V centre = hn::Add(hn::Iota(HWY_NAMESPACE::d, static_cast<double>(k)), set(0.5));
+      const V centre = hn::Add(hn::Iota(kTag, static_cast<double>(k)), set(0.5));
       const V x = hn::Add(set(block.bx * 8.0), centre);
       const V y = hn::Add(set(block.by * 8.0), centre);
-      hn::StoreU(hn::Mul(set(linear.a), x), HWY_NAMESPACE::d, &ax[k]);
-      hn::StoreU(hn::Mul(set(linear.b), y), HWY_NAMESPACE::d, &by[k]);
+      hn::StoreU(hn::Mul(set(linear.a), x), kTag, &ax[k]);
+      hn::StoreU(hn::Mul(set(linear.b), y), kTag, &by[k]);
     }
   }
   HWY_INLINE V value(std::size_t row, std::size_t group, V z) const {
-    const V ab = hn::Add(hn::LoadU(HWY_NAMESPACE::d, &ax[group * kLanes]), set(by[row]));
+    const V ab = hn::Add(hn::LoadU(kTag, &ax[group * kLanes]), set(by[row]));
     return hn::Add(hn::Add(ab, hn::Mul(set(c), z)), set(d));
   }
 };
@@ -120,7 +121,7 @@ HWY_INLINE std::uint64_t outside_bits(const DecidingPlanes& deciding, ZInterval 
   Row8 z;
   Row8 outside;
   for (std::size_t g = 0; g < kGroups; ++g) {
-    z[g] = hn::LoadU(d, z_of_row + g * kLanes);
+    z[g] = hn::LoadU(kTag, z_of_row + g * kLanes);
     outside[g] = hn::Or(hn::Sub(z[g], set(interval.min)), hn::Sub(set(interval.max), z[g]));
   }
   deciding.or_outside(row, z, outside);
@@ -157,7 +158,7 @@ UmbraBits umbra_bits(const Plane& plane, ZInterval interval, const Block& block,
   for_each_row(candidates, [&](std::size_t row) HWY_ATTR {
     for (std::size_t g = 0; g < kGroups; ++g) {
       const std::size_t shift = 8 * row + g * kLanes;
-      const V z = hn::LoadU(d, block.z + shift);
+      const V z = hn::LoadU(kTag, block.z + shift);
       const std::uint64_t negative = sign_bits(placed.value(row, g, z));
       bits.inner |= ((plane.minus ? negative : ~negative) & kGroupBits) << shift;
       bits.before |= (sign_bits(hn::Sub(z, set(interval.min))) & kGroupBits) << shift;
@@ -231,7 +232,7 @@ V value_of(const LinearTerms& terms, const Here& here) {
   const V numerator = hn::Add(hn::Mul(hn::Mul(to_right, back_left), thick_right),
                               hn::Mul(hn::Mul(to_left, back_right), thick_left));
   const V denominator = hn::Mul(hn::Mul(thick_left, thick_right), hn::Add(to_right, to_left));
-  const V zero = hn::Zero(d);
+  const V zero = hn::Zero(kTag);
   const V one = set(1.0);
   const V s = hn::Div(numerator, denominator);
   const V clamped = hn::IfThenElse(hn::Lt(s, zero), zero, hn::IfThenElse(hn::Gt(s, one), one, s));
@@ -244,7 +245,7 @@ struct Part {
 };
 
 void clip(V f0, V f1, Part& part) {
-  const V zero = hn::Zero(d);
+  const V zero = hn::Zero(kTag);
   const M out0 = hn::Lt(f0, zero);
   const M out1 = hn::Lt(f1, zero);
   const V t = hn::Div(f0, hn::Sub(f0, f1));
@@ -254,7 +255,7 @@ void clip(V f0, V f1, Part& part) {
 }
 
 V perimeter(V u, V v) {
-  const V zero = hn::Zero(d);
+  const V zero = hn::Zero(kTag);
   const M sideways = hn::Ge(hn::Abs(u), hn::Abs(v));
   const V numerator = hn::IfThenElse(sideways, v, u);
   const V denominator = hn::IfThenElse(sideways, u, v);
@@ -273,7 +274,7 @@ V value_of(const RectangleTerms&, const Here& here) {
   const V u1 = here(3);
   const V v1 = here(4);
   const V w1 = here(5);
-  const V zero = hn::Zero(d);
+  const V zero = hn::Zero(kTag);
   Part part{zero, set(1.0), hn::Eq(zero, zero)};
   clip(hn::Sub(w0, u0), hn::Sub(w1, u1), part);
   clip(hn::Add(w0, u0), hn::Add(w1, u1), part);
@@ -297,7 +298,7 @@ V value_of(const RectangleTerms&, const Here& here) {
 }
 
 V upper_angles(V y, V x) {
-  const V zero = hn::Zero(d);
+  const V zero = hn::Zero(kTag);
   const V ax = hn::Abs(x);
   const M steep = hn::Lt(ax, y);
   const V small = hn::IfThenElse(steep, ax, y);
@@ -333,7 +334,7 @@ Vector along(const Vector& begin, V t, const Vector& direction) {
 }
 
 V value_of(const SphereTerms& terms, const Here& here) {
-  const V zero = hn::Zero(d);
+  const V zero = hn::Zero(kTag);
   const Vector p{here(0), here(1), here(2)};
   const V w = here(3);
   const V pp = dot(p, p);
@@ -379,17 +380,17 @@ V value_of(const SphereTerms& terms, const Here& here) {
 }
 
 // All ones in the lanes of the set bits.
-HWY_INLINE hn::Vec<decltype(di)> lanes_of(std::uint64_t bits) {
+HWY_INLINE hn::Vec<decltype(kIntTag)> lanes_of(std::uint64_t bits) {
   alignas(16) static constexpr std::array<std::int64_t, 8> kBits{1, 2, 4, 8, 16, 32, 64, 128};
-  const auto bit = hn::LoadU(di, kBits.data());
-  const auto all = hn::Set(di, static_cast<std::int64_t>(bits));
-  return hn::VecFromMask(di, hn::Eq(hn::And(all, bit), bit));
+  const auto bit = hn::LoadU(kIntTag, kBits.data());
+  const auto all = hn::Set(kIntTag, static_cast<std::int64_t>(bits));
+  return hn::VecFromMask(kIntTag, hn::Eq(hn::And(all, bit), bit));
 }
 
 template <typename Terms>
 void words_of(const Terms& terms, double one, std::span<const Block> blocks,
               const std::uint64_t* sets, const std::uint64_t* negated, std::int64_t* result) {
-  const auto magic = hn::BitCast(di, set(kRoundMagic));
+  const auto magic = hn::BitCast(kIntTag, set(kRoundMagic));
   const auto rows = rows_of(terms);
   std::array<BlockPlane, std::tuple_size_v<decltype(rows)>> placed;
   for (std::size_t i = 0; i < blocks.size(); ++i, result += kBlockPixels) {
@@ -399,20 +400,20 @@ void words_of(const Terms& terms, double one, std::span<const Block> blocks,
     for (std::size_t shift = 0; shift < kBlockPixels; shift += kLanes) {
       const std::uint64_t bits = sets[i] >> shift & kGroupBits;
       if (bits == 0) {
-        hn::StoreU(hn::Zero(di), di, result + shift);
+        hn::StoreU(hn::Zero(kIntTag), kIntTag, result + shift);
         continue;
       }
       const Here here{placed.data(), shift / kBlock, shift % kBlock / kLanes,
-                      hn::LoadU(d, blocks[i].z + shift)};
+                      hn::LoadU(kTag, blocks[i].z + shift)};
       const V shifted = hn::Add(hn::Mul(value_of(terms, here), set(one)), set(kRoundMagic));
-      const auto word = hn::Sub(hn::BitCast(di, shifted), magic);
+      const auto word = hn::Sub(hn::BitCast(kIntTag, shifted), magic);
       const auto kept = hn::And(word, lanes_of(bits));
       if (!turns) {
-        hn::StoreU(kept, di, result + shift);
+        hn::StoreU(kept, kIntTag, result + shift);
         continue;
       }
       const auto sign = lanes_of(negated[i] >> shift);
-      hn::StoreU(hn::Sub(hn::Xor(kept, sign), sign), di, result + shift);  // -kept if all ones
+      hn::StoreU(hn::Sub(hn::Xor(kept, sign), sign), kIntTag, result + shift);  // -kept if all ones
     }
   }
 }

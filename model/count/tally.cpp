@@ -221,9 +221,8 @@ void TileTally::touch(ConfigRun& run, const Outcome& outcome, bool shared) const
 
 std::int64_t TileTally::signed_word(std::size_t block, int bit) const {
   const Block& at = footprint_->blocks()[block];
-  const std::int64_t word = to_word(contribution(primitive_->terms, at.bx * 8.0 + bit % 8 + 0.5,
-                                                 at.by * 8.0 + bit / 8 + 0.5, at.z[bit]),
-                                    one_);
+  const std::int64_t word = to_word(
+      contribution(primitive_->terms, centre_x(at, bit), centre_y(at, bit), at.z[bit]), one_);
   return (footprint_->negated(block) >> bit & 1) != 0 ? -word : word;
 }
 

@@ -61,7 +61,7 @@ TEST(Kernel, EveryInstructionSetFindsTheSamePixelsInside) {
       wedge.planes.push_back({1.0, 0.0, 0.0, -3.5, (seed & 1) != 0});
       wedge.planes.push_back({0.0, 0.0, 0.0, 0.0, false});
       std::vector<std::uint64_t> expected(49), actual(49);
-      kScalarKernel.inside(wedge, pixels.blocks, pixels.sets.data(), expected.data());
+      scalar_kernel().inside(wedge, pixels.blocks, pixels.sets.data(), expected.data());
       for (std::uint64_t bits : expected) found += static_cast<std::size_t>(std::popcount(bits));
       for (const Kernel& kernel : simd_kernels()) {
         kernel.inside(wedge, pixels.blocks, pixels.sets.data(), actual.data());
@@ -80,7 +80,7 @@ TEST(Kernel, EveryInstructionSetDecidesUmbraAlike) {
     const double tie = pixels.depths[64 + 3];
     const ZInterval interval{std::min(tie, 0.6), std::max(tie, 0.6)};
     std::vector<UmbraBits> expected(49), actual(49);
-    kScalarKernel.umbra(plane, interval, pixels.blocks, pixels.sets.data(), expected.data());
+    scalar_kernel().umbra(plane, interval, pixels.blocks, pixels.sets.data(), expected.data());
     for (const Kernel& kernel : simd_kernels()) {
       kernel.umbra(plane, interval, pixels.blocks, pixels.sets.data(), actual.data());
       for (std::size_t i = 0; i < 49; ++i) {
@@ -107,8 +107,8 @@ TEST(Kernel, EveryInstructionSetGivesTheSameWords) {
       std::vector<std::uint64_t> negated;
       for (std::uint64_t set : pixels.sets) negated.push_back(set * 0x9e3779b97f4a7c15U);
       std::vector<std::int64_t> expected(49 * kBlockPixels), actual(49 * kBlockPixels);
-      kScalarKernel.words(wedge.terms, one, pixels.blocks, pixels.sets.data(), negated.data(),
-                          expected.data());
+      scalar_kernel().words(wedge.terms, one, pixels.blocks, pixels.sets.data(), negated.data(),
+                            expected.data());
       for (std::int64_t word : expected) {
         partial += word != 0 && std::abs(word) != static_cast<std::int64_t>(one) ? 1 : 0;
       }
