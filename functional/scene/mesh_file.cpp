@@ -62,6 +62,21 @@ void append_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& wo
   }
 }
 
+void check_indices(const std::filesystem::path& path, const aiScene& scene) {
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[m];
+    for (unsigned f = 0; f < part.mNumFaces; ++f) {
+      const aiFace& face = part.mFaces[f];
+      for (unsigned i = 0; i < face.mNumIndices; ++i) {
+        if (face.mIndices != nullptr && face.mIndices[i] < part.mNumVertices) continue;
+        throw InputError(path.string(),
+                         "face " + std::to_string(f) + " names a vertex it does not have",
+                         "indices below " + std::to_string(part.mNumVertices));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Mesh load_mesh(const std::filesystem::path& path) {
@@ -70,7 +85,10 @@ Mesh load_mesh(const std::filesystem::path& path) {
   }
   check_extension(path);
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate);
+  const aiScene* scene = importer.ReadFile(path.string(), 0);
+  // Post-processing trusts what was read, so a damaged file is found before it.
+  if (scene != nullptr) check_indices(path, *scene);
+  if (scene != nullptr) scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw InputError(path.string(), std::string("cannot be read: ") + importer.GetErrorString());
   }
