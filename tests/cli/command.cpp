@@ -14,7 +14,7 @@
 namespace wedgesim::cli {
 namespace {
 
-const char* const kProgram = WEDGESIM_BINARY_DIR "/cli/wedgesim";
+constexpr const char* kProgram = WEDGESIM_BINARY_DIR "/cli/wedgesim";
 
 [[noreturn]] void become(const std::vector<std::string>& arguments) {
   std::vector<char*> words{const_cast<char*>(kProgram)};
@@ -134,7 +134,7 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 
 std::filesystem::path make_trace(const TemporaryFolder& folder, const std::string& scene,
                                  const std::vector<std::string>& options) {
-  const std::filesystem::path file = folder / (scene + ".wtrace");
+  std::filesystem::path file = folder / (scene + ".wtrace");
   std::vector<std::string> arguments{"trace", scene, "-o", file.string(), "--size", "96x64"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   expect_good(run_command(arguments));

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 
 #include "tests/cli/command.h"
@@ -7,19 +8,19 @@
 namespace wedgesim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"scenes", "render",  "trace", "dump",
-                                         "count",  "explain", "study"};
+constexpr std::array<const char*, 7> kCommands{"scenes", "render",  "trace", "dump",
+                                               "count",  "explain", "study"};
 
 TEST(Main, HelpNamesEveryCommand) {
   const Outcome help = run_command({"--help"});
   expect_good(help);
-  for (const std::string& command : kCommands) {
+  for (const std::string command : kCommands) {
     EXPECT_NE(help.out.find("\n  " + command + ' '), std::string::npos) << command;
   }
 }
 
 TEST(Main, EveryCommandHasHelpWithAnExample) {
-  for (const std::string& command : kCommands) {
+  for (const std::string command : kCommands) {
     const Outcome help = run_command({command, "--help"});
     expect_good(help);
     EXPECT_NE(help.out.find("Example"), std::string::npos) << command;
