@@ -2,8 +2,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "base/toml_table.h"
 #include "functional/scene/scene.h"
-#include "functional/scene/toml_table.h"
 
 namespace wedgesim::functional {
 

@@ -8,12 +8,12 @@
 #include <iterator>
 
 #include "base/error.h"
+#include "base/toml_table.h"
 #include "functional/scene/built_in.h"
 #include "functional/scene/camera_path.h"
 #include "functional/scene/light_file.h"
 #include "functional/scene/scene_check.h"
 #include "functional/scene/scene_objects.h"
-#include "functional/scene/toml_table.h"
 
 namespace wedgesim::functional {
 namespace {

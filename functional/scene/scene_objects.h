@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "base/toml_table.h"
 #include "functional/scene/scene.h"
 #include "functional/scene/shapes.h"
-#include "functional/scene/toml_table.h"
 
 namespace wedgesim::functional {
 

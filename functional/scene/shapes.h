@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/toml_table.h"
 #include "functional/scene/scene.h"
-#include "functional/scene/toml_table.h"
 
 namespace wedgesim::functional {
 

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "tests/functional/scene/expect_input_error.h"
+#include "tests/support/expect_input_error.h"
 
 namespace wedgesim::functional {
 namespace {

@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "tests/base/temporary_folder.h"
-#include "tests/functional/scene/expect_input_error.h"
 #include "tests/functional/scene/mesh_facts.h"
+#include "tests/support/expect_input_error.h"
 
 namespace wedgesim::functional {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "tests/functional/scene/expect_input_error.h"
 #include "tests/functional/scene/mesh_facts.h"
+#include "tests/support/expect_input_error.h"
 
 namespace wedgesim::functional {
 namespace {

@@ -7,7 +7,7 @@
 #include "functional/scene/manifold.h"
 #include "functional/scene/transform.h"
 #include "tests/base/temporary_folder.h"
-#include "tests/functional/scene/expect_input_error.h"
+#include "tests/support/expect_input_error.h"
 
 namespace wedgesim::functional {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "functional/scene/transform.h"
-#include "tests/functional/scene/expect_input_error.h"
 #include "tests/functional/scene/mesh_facts.h"
+#include "tests/support/expect_input_error.h"
 
 namespace wedgesim::functional {
 namespace {

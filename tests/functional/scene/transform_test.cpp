@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "functional/scene/primitives.h"
-#include "tests/functional/scene/expect_input_error.h"
 #include "tests/functional/scene/mesh_facts.h"
+#include "tests/support/expect_input_error.h"
 
 namespace wedgesim::functional {
 namespace {

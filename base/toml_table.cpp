@@ -1,4 +1,4 @@
-#include "functional/scene/toml_table.h"
+#include "base/toml_table.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace wedgesim::functional {
+namespace wedgesim {
 namespace {
 
 std::string place_of(const std::string& file, const toml::source_region& region) {
@@ -215,4 +215,4 @@ void TomlTable::reject_unknown() const {
   }
 }
 
-}  // namespace wedgesim::functional
+}  // namespace wedgesim

@@ -1,10 +1,10 @@
-#include "functional/scene/toml_table.h"
+#include "base/toml_table.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/functional/scene/expect_input_error.h"
+#include "tests/support/expect_input_error.h"
 
-namespace wedgesim::functional {
+namespace wedgesim {
 namespace {
 
 /// What reading `text` with `read` says.
@@ -81,4 +81,4 @@ TEST(TomlTable, TextThatIsNotTomlHasItsLine) {
 }
 
 }  // namespace
-}  // namespace wedgesim::functional
+}  // namespace wedgesim

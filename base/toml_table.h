@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace wedgesim::functional {
+namespace wedgesim {
 
 /// A closed interval that a number must lie in.
 struct Range {
@@ -77,4 +77,4 @@ class TomlTable {
 /// \throws InputError at FILE:LINE where the text is not TOML
 toml::table parse_toml(std::string_view text, const std::string& file);
 
-}  // namespace wedgesim::functional
+}  // namespace wedgesim
