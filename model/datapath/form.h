@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "model/datapath/rounder.h"
+#include "traces/trace_generated.h"
+
+namespace wedgesim::model::datapath {
+
+/// A value linear in window space: pixels x and y, depth z.
+struct LinearForm {
+  double a = 0.0, b = 0.0, c = 0.0, d = 0.0;
+};
+
+/// p * f + q * g
+constexpr LinearForm combine(const LinearForm& p, double f, const LinearForm& q, double g) {
+  return {p.a * f + q.a * g, p.b * f + q.b * g, p.c * f + q.c * g, p.d * f + q.d * g};
+}
+
+/// How the datapath sees a stored depth: a whole number of steps. unorm words are taken as they
+/// are; floating-point depths are rounded to 2^-26.
+class ZSteps {
+ public:
+  explicit ZSteps(traces::fb::DepthFormat format);
+
+  /// Window depth 1, in steps.
+  double one() const { return one_; }
+  /// \return  [0, one()]
+  std::int64_t of_word(std::uint32_t word) const;
+  /// The first step not below a window depth, and the last not above it: a stored depth is in
+  /// [z_min, z_max] iff its steps are in [first(z_min), last(z_max)] (for unorm depths).
+  std::int64_t first(double z) const;
+  std::int64_t last(double z) const;
+
+ private:
+  traces::fb::DepthFormat format_;
+  double one_;
+};
+
+/// A pixel's centre or a box's corner, as the datapath takes it.
+struct Place {
+  std::int64_t x = 0, y = 0;  // half pixels, [0, 2^15]
+  std::int64_t z = 0;         // steps
+};
+
+/// A linear form of the fixed datapath: value = (((a x + b y) + c z) + d) * 2^exponent in integers,
+/// x and y in half pixels, z in steps.
+///
+/// With B = 2^14 (|a| + |b|) + |c| + |d| per pixel and window depth, the exponent is the least for
+/// which B <= 2^(bits - 1 + exponent): no value, no sum on the way to it and no difference of two
+/// values on one exponent overflows `bits + 1` bits, so the order of the sum does not matter.
+/// Hardware keeps the value at the corner of an 8x8 block, adds multiples of a and b, which takes
+/// adders alone, and one product c * z.
+/// Error: at most 2^(25 - bits) B with unorm24, nearly all of it by c.
+/// Invariant: a corner of a box is evaluated as pixels are, so box tests are exact for every tile.
+struct FixedForm {
+  std::int64_t a = 0, b = 0, c = 0, d = 0;
+  int exponent = 0;
+
+  std::int64_t at(const Place& place) const { return a * place.x + b * place.y + c * place.z + d; }
+  /// The value as a real.
+  double at(const Place& place, Rounder round) const { return round(at(place), exponent); }
+};
+
+/// The least exponent that all forms fit.
+int common_exponent(std::span<const LinearForm> forms, int form_bits);
+
+/// A form with its coefficients rounded to multiples of 2^exponent, ties to even.
+FixedForm quantize(const LinearForm& form, const ZSteps& steps, int exponent);
+
+/// A form on an exponent of its own.
+FixedForm quantize_alone(const LinearForm& form, const ZSteps& steps, int form_bits);
+
+}  // namespace wedgesim::model::datapath

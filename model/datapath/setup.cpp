@@ -1,0 +1,149 @@
+#include "model/datapath/setup.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <tuple>
+#include <type_traits>
+
+namespace wedgesim::model::datapath {
+namespace {
+
+using traces::fb::Matrix4;
+
+glm::dvec3 vec(const traces::fb::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+LinearForm matrix_row(const Matrix4& matrix, std::uint16_t row) {
+  const auto at = [&](int column) {
+    return (*matrix.columns())[static_cast<std::uint16_t>(4 * column + row)];
+  };
+  return {at(0), at(1), at(2), at(3)};
+}
+
+LinearForm plane_form(const traces::TraceView& trace, std::uint32_t reference) {
+  const traces::fb::Plane& plane = trace.planes[traces::plane_index(reference)];
+  return {plane.a(), plane.b(), plane.c(), plane.d()};
+}
+
+LinearSetup linear_setup(const traces::TraceView& trace, const traces::fb::Wedge& wedge,
+                         const ZSteps& steps, const Formats& formats) {
+  LinearSetup setup;
+  for (std::uint16_t i = 0; i < setup.planes.size(); ++i) {
+    const std::uint32_t reference = (*wedge.planes())[i];
+    FixedForm& plane = setup.planes[i];
+    plane = quantize_alone(plane_form(trace, reference), steps, formats.form_bits);
+    if (traces::is_minus(reference)) {
+      plane = {-plane.a, -plane.b, -plane.c, -plane.d, plane.exponent};
+    }
+  }
+  for (std::uint16_t i = 0; i < setup.factors.size(); ++i) {
+    setup.factors[i] = formats.round()((*wedge.linear_factors())[i]);
+  }
+  return setup;
+}
+
+// With H the point's distance from the light's plane and h the edge's, the line from the point
+// through the edge's end meets the plane at (H*u - h*U, H*v - h*V) / (H - h*W); the cross product
+// of both ends is H times the line, which is linear in the point.
+RectangleSetup rectangle_setup(const Matrix4& light_from_window, const glm::dvec3& begin,
+                               const glm::dvec3& end, const ZSteps& steps, const Formats& formats) {
+  const LinearForm u = matrix_row(light_from_window, 0);
+  const LinearForm v = matrix_row(light_from_window, 1);
+  const LinearForm h = matrix_row(light_from_window, 2);
+  const LinearForm w = matrix_row(light_from_window, 3);
+  const auto fixed = [&](const auto& forms) {
+    const int exponent = common_exponent(forms, formats.form_bits);
+    std::array<FixedForm, std::tuple_size_v<std::decay_t<decltype(forms)>>> result;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i] = quantize(forms[i], steps, exponent);
+    }
+    return result;
+  };
+  const auto project = [&](const glm::dvec3& e) {
+    return std::array{combine(h, e.x, u, -e.z), combine(h, e.y, v, -e.z), combine(h, 1.0, w, -e.z)};
+  };
+  const auto first = project(begin);
+  const auto last = project(end);
+  const auto ends = fixed(std::array{first[0], first[1], first[2], last[0], last[1], last[2]});
+  const glm::dvec3 edge = end - begin;
+  const glm::dvec3 normal = glm::cross(begin, end);
+  const auto line = fixed(std::array{combine(combine(h, -edge.y, v, edge.z), 1.0, w, -normal.x),
+                                     combine(combine(h, edge.x, u, -edge.z), 1.0, w, -normal.y),
+                                     combine(combine(h, normal.z, v, normal.y), 1.0, u, normal.x)});
+  return {{RectangleSetup::End{ends[0], ends[1], ends[2]},
+           RectangleSetup::End{ends[3], ends[4], ends[5]}},
+          {line[0], line[1], line[2]}};
+}
+
+// From the light's centre to the edge's line, of length 1. A line through the centre is an edge
+// that points at the light: any direction across it will do.
+glm::dvec3 direction_out(const glm::dvec3& out, const glm::dvec3& along) {
+  if (const double length = glm::length(out); length > 0.0) return out / length;
+  const glm::dvec3 axis = std::fabs(along.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  return glm::normalize(glm::cross(along, axis));
+}
+
+DiscSetup disc_setup(const Matrix4& light_from_window, const glm::dvec3& begin,
+                     const glm::dvec3& end, const ZSteps& steps, const Formats& formats) {
+  const LinearForm w = matrix_row(light_from_window, 3);
+  const auto component = [&](const glm::dvec3& axis) {
+    const LinearForm xy =
+        combine(matrix_row(light_from_window, 0), axis.x, matrix_row(light_from_window, 1), axis.y);
+    return combine(xy, 1.0, matrix_row(light_from_window, 2), axis.z);
+  };
+  const glm::dvec3 l = glm::normalize(end - begin);
+  const glm::dvec3 foot = begin - glm::dot(begin, l) * l;
+  const double distance = glm::length(foot);
+  const glm::dvec3 m = direction_out(foot, l);
+  const LinearForm along = component(l);
+  const LinearForm out = component(m);
+  const auto fixed = [&](const LinearForm& form) {
+    return quantize_alone(form, steps, formats.form_bits);
+  };
+  const Rounder round = formats.round();
+  DiscSetup setup;
+  setup.along = fixed(along);
+  setup.out = fixed(out);
+  setup.normal = fixed(component(glm::cross(l, m)));
+  setup.w = fixed(w);
+  setup.beyond = fixed(combine(w, distance, out, -1.0));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double at = glm::dot(i == 0 ? begin : end, l);
+    setup.ends[i] = {fixed(combine(w, at, along, -1.0)), fixed(combine(along, distance, out, -at)),
+                     round(at)};
+  }
+  setup.distance_squared = round(distance * distance);
+  return setup;
+}
+
+}  // namespace
+
+FixedPlane plane_setup(const traces::TraceView& trace, std::uint32_t reference, const ZSteps& steps,
+                       const Formats& formats) {
+  return {quantize_alone(plane_form(trace, reference), steps, formats.plane_bits),
+          traces::is_minus(reference)};
+}
+
+LightSetup light_setup(const traces::TraceView& trace, const traces::fb::Wedge& wedge,
+                       const ZSteps& steps, const Formats& formats) {
+  if (wedge.kind() == traces::fb::WedgeKind_linear) {
+    return linear_setup(trace, wedge, steps, formats);
+  }
+  const traces::Light& light = trace.header.lights[wedge.light()];
+  const glm::dvec3 begin = vec(wedge.edge_begin());
+  const glm::dvec3 end = vec(wedge.edge_end());
+  if (light.shape == traces::fb::LightShape_sphere) {
+    return disc_setup(light.light_from_window, begin, end, steps, formats);
+  }
+  return rectangle_setup(light.light_from_window, begin, end, steps, formats);
+}
+
+double contribution(const LightSetup& setup, const Place& at, Rounder round) {
+  if (const auto* linear = std::get_if<LinearSetup>(&setup)) {
+    return intensity(*linear, at, round);
+  }
+  if (const auto* disc = std::get_if<DiscSetup>(&setup)) return coverage(*disc, at, round);
+  return coverage(std::get<RectangleSetup>(setup), at, round);
+}
+
+}  // namespace wedgesim::model::datapath
