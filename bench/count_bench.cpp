@@ -1,132 +1,27 @@
-// Pixel visits per second of one thread: rasterize a wedge, test the depth of every pixel that its
-// faces cover, evaluate and add the contributions. The plain loop is the baseline that the SIMD
-// kernels are held against; both give the same LI words, which is checked before timing.
-#include <benchmark/benchmark.h>
+// Pixel visits per second of one thread: the plain loop, every kernel that this processor runs, and
+// count() as a whole, tile tests and counters included. All run in turn, again and again, and the
+// median of each one's processor time counts, so that what else the machine does hits all alike.
+#include <fmt/format.h>
 
-#include <cstdio>
+#include <algorithm>
+#include <array>
 #include <cstdlib>
-#include <random>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
 
+#include "bench/plain_loop.h"
+#include "model/count/count.h"
 #include "model/count/footprint.h"
 #include "model/count/light_image.h"
-#include "tests/model/count/synthetic.h"
-#include "traces/depth.h"
 
-namespace wedgesim::model {
+namespace wedgesim::bench {
 namespace {
 
-constexpr std::uint32_t kWidth = 640;
-constexpr std::uint32_t kHeight = 427;
+using namespace model;  // NOLINT: the vocabulary of the counter
 
-enum class Workload { linear, rectangle, sphere };
-
-// Wedges of many sizes in front of, in and behind a floor that rises towards a wall.
-struct Scene {
-  explicit Scene(Workload workload) {
-    std::mt19937 random(2002);
-    trace = test::random_tetrahedra(random, kWidth, kHeight, 64);
-    for (std::uint32_t i = 0; i < kWidth * kHeight; ++i) {
-      const double up = 1.0 - static_cast<double>(i / kWidth) / kHeight;
-      const double depth = std::min(0.3 + 0.4 * up, 0.55);
-      trace.depth[i] = traces::encode_depth(trace.header.depth_format, depth);
-    }
-    for (auto& wedge : trace.wedges) {
-      wedge.mutate_kind(workload == Workload::linear ? traces::fb::WedgeKind_linear
-                                                     : traces::fb::WedgeKind_coverage);
-    }
-    trace.header.lights[0].shape = workload == Workload::sphere ? traces::fb::LightShape_sphere
-                                                                : traces::fb::LightShape_rectangle;
-    for (std::uint32_t i = 0; i < trace.wedges.size(); ++i) {
-      wedges.push_back(wedge_primitive(trace.view(), ZMethod::pass, i));
-    }
-    for (std::uint32_t word : trace.depth) {
-      z.push_back(traces::decode_depth(trace.header.depth_format, word));
-    }
-  }
-
-  traces::Trace trace;
-  std::vector<Primitive> wedges;
-  std::vector<double> z;  // (height, width)
-};
-
-bool inside(const Primitive& wedge, double x, double y, double z) {
-  if (!(z >= wedge.z.min && z <= wedge.z.max)) return false;
-  for (const Plane& plane : wedge.planes) {
-    if (!plane.inside(x, y, z)) return false;
-  }
-  return true;
-}
-
-std::int64_t signed_word(const Primitive& wedge, bool polygon_covers, double x, double y,
-                         double z) {
-  const std::int64_t word = to_word(contribution(wedge.terms, x, y, z), word_one(LiFormat::exact));
-  if (!wedge.coverage) return word;
-  const bool inner = wedge.polygon ? is_inner(*wedge.polygon, polygon_covers, x, y, z)
-                                   : wedge.inner.inside(x, y, z);
-  return inner ? word : -word;
-}
-
-// Calls f(row, span) for every row of an outline; returns the number of pixels.
-template <typename F>
-std::uint64_t for_each_row(const Outline& outline, F&& f) {
-  std::uint64_t visits = 0;
-  const int end = std::min<int>(outline.row_end(), kHeight);
-  for (int row = std::max(outline.row_begin(), 0); row < end; ++row) {
-    const Span span = outline.row(row, kWidth);
-    visits += static_cast<std::uint64_t>(span.end - span.begin);
-    f(row, span);
-  }
-  return visits;
-}
-
-struct Image {
-  explicit Image(std::size_t pixels) : penumbra(pixels), umbra(pixels) {}
-  std::vector<std::int64_t> penumbra;
-  std::vector<std::int32_t> umbra;
-};
-
-void draw_face_row(const Scene& scene, const Primitive& wedge, int row, Span span, Image& image) {
-  const auto& polygon = wedge.polygon;
-  const bool meets =
-      polygon && row >= polygon->outline.row_begin() && row < polygon->outline.row_end();
-  const Span umbra = meets ? polygon->outline.row(row, kWidth) : Span{};
-  const double y = row + 0.5;
-  const std::size_t first = static_cast<std::size_t>(row) * kWidth;
-  for (int column = span.begin; column < span.end; ++column) {
-    const std::size_t pixel = first + static_cast<std::size_t>(column);
-    const double x = column + 0.5;
-    const double z = scene.z[pixel];
-    if (!inside(wedge, x, y, z)) continue;
-    const bool covered = column >= umbra.begin && column < umbra.end;
-    image.penumbra[pixel] += signed_word(wedge, covered, x, y, z);
-  }
-}
-
-void draw_umbra_row(const Scene& scene, const RasterUmbra& polygon, int row, Span span,
-                    Image& image) {
-  const std::size_t first = static_cast<std::size_t>(row) * kWidth;
-  for (int column = span.begin; column < span.end; ++column) {
-    const std::size_t pixel = first + static_cast<std::size_t>(column);
-    const bool inner = is_inner(polygon, true, column + 0.5, row + 0.5, scene.z[pixel]);
-    if (inner == polygon.hits_inner) image.umbra[pixel] += polygon.stencil_step;
-  }
-}
-
-// The plain loop: polygons, rows, pixels. \return pixel visits
-std::uint64_t draw_plainly(const Scene& scene, Image& image) {
-  std::uint64_t visits = 0;
-  for (const Primitive& wedge : scene.wedges) {
-    for (const RasterFace& face : wedge.faces) {
-      visits += for_each_row(
-          face.outline, [&](int row, Span span) { draw_face_row(scene, wedge, row, span, image); });
-    }
-    if (!wedge.polygon) continue;
-    visits += for_each_row(wedge.polygon->outline, [&](int row, Span span) {
-      draw_umbra_row(scene, *wedge.polygon, row, span, image);
-    });
-  }
-  return visits;
-}
+constexpr int kRounds = 15;
 
 // The counter's own path, by one kernel.
 void draw_by_kernel(const Scene& scene, const ZFrame& frame, const Kernel& kernel,
@@ -140,10 +35,8 @@ void draw_by_kernel(const Scene& scene, const ZFrame& frame, const Kernel& kerne
   }
 }
 
-std::uint64_t check(const Scene& scene, const Kernel& kernel) {
-  Image plain(scene.z.size());
-  const std::uint64_t visits = draw_plainly(scene, plain);
-  const ZFrame frame(scene.trace.view());
+// Ends the program if a kernel's words are not the plain loop's.
+void check(const Scene& scene, const ZFrame& frame, const Image& plain, const Kernel& kernel) {
   LightImage image(frame);
   draw_by_kernel(scene, frame, kernel, image);
   frame.for_each_block([&](std::uint32_t bx, std::uint32_t by) {
@@ -151,63 +44,93 @@ std::uint64_t check(const Scene& scene, const Kernel& kernel) {
     std::array<std::int32_t, kBlockPixels> umbra;
     std::array<std::uint32_t, kBlockPixels> contributions;
     image.sums(frame.block(bx, by), penumbra.data(), umbra.data(), contributions.data());
-    for (std::uint32_t bit = 0; bit < kBlockPixels; ++bit) {
-      const std::uint32_t x = bx * kBlock + bit % kBlock;
-      const std::uint32_t y = by * kBlock + bit / kBlock;
-      if (x >= kWidth || y >= kHeight) continue;
-      const std::size_t pixel = std::size_t{y} * kWidth + x;
-      if (penumbra[bit] != plain.penumbra[pixel] || umbra[bit] != plain.umbra[pixel]) {
-        std::fprintf(stderr, "%s differs from the plain loop at %u,%u\n", kernel.name, x, y);
+    for (int bit = 0; bit < kBlockPixels; ++bit) {
+      const int x = static_cast<int>(bx) * kBlock + bit % kBlock;
+      const int y = static_cast<int>(by) * kBlock + bit / kBlock;
+      if (x >= frame.width() || y >= frame.height()) continue;
+      const auto pixel = static_cast<std::size_t>(y * frame.width() + x);
+      const auto i = static_cast<std::size_t>(bit);
+      if (penumbra[i] != plain.penumbra[pixel] || umbra[i] != plain.umbra[pixel]) {
+        fmt::print(stderr, "{} differs from the plain loop at {},{}\n", kernel.name, x, y);
         std::exit(1);
       }
     }
   });
-  return visits;
 }
 
-void report(benchmark::State& state, std::uint64_t visits) {
-  state.counters["visits"] = benchmark::Counter(
-      static_cast<double>(visits * static_cast<std::uint64_t>(state.iterations())),
-      benchmark::Counter::kIsRate);
+struct Contestant {
+  std::string name;
+  std::function<void()> run;
+  std::vector<double> seconds;
+
+  double median() const {
+    std::vector<double> sorted = seconds;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[sorted.size() / 2];
+  }
+};
+
+double processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-void plain(benchmark::State& state, Workload workload) {
-  const Scene scene(workload);
-  Image image(scene.z.size());
-  std::uint64_t visits = 0;
-  for (auto _ : state) visits = draw_plainly(scene, image);
-  report(state, visits);
-}
-
-void by_kernel(benchmark::State& state, Workload workload, const Kernel& kernel) {
-  const Scene scene(workload);
-  const std::uint64_t visits = check(scene, kernel);
-  const ZFrame frame(scene.trace.view());
-  LightImage image(frame);
-  for (auto _ : state) draw_by_kernel(scene, frame, kernel, image);
-  report(state, visits);
-}
-
-void register_all() {
-  const std::pair<const char*, Workload> workloads[] = {{"linear", Workload::linear},
-                                                        {"rectangle", Workload::rectangle},
-                                                        {"sphere", Workload::sphere}};
-  for (const auto& [name, workload] : workloads) {
-    const std::string prefix = std::string(name) + "/";
-    benchmark::RegisterBenchmark((prefix + "plain").c_str(), plain, workload);
-    for (const Kernel& kernel : simd_kernels()) {
-      benchmark::RegisterBenchmark((prefix + kernel.name).c_str(), by_kernel, workload, kernel);
+void race(std::vector<Contestant>& contestants) {
+  for (int round = -1; round < kRounds; ++round) {  // the first warms up
+    for (Contestant& contestant : contestants) {
+      const double start = processor_seconds();
+      contestant.run();
+      if (round >= 0) contestant.seconds.push_back(processor_seconds() - start);
     }
   }
 }
 
-}  // namespace
-}  // namespace wedgesim::model
+void compare(const std::string& title, const Scene& scene) {
+  const ZFrame frame(scene.trace.view());
+  Image plain(scene.z.size());
+  const std::uint64_t visits = draw_plainly(scene, plain);
+  std::vector<Contestant> contestants{{"plain", [&] { draw_plainly(scene, plain); }, {}}};
+  LightImage image(frame);
+  const auto by_kernel = [&](const Kernel& kernel) {
+    check(scene, frame, plain, kernel);
+    contestants.push_back({kernel.name, [&] { draw_by_kernel(scene, frame, kernel, image); }, {}});
+  };
+  by_kernel(scalar_kernel());
+  for (const Kernel& kernel : simd_kernels()) by_kernel(kernel);
+  const CountConfig config{.z = ZChoice::pass};
+  const auto whole = [&](KernelChoice choice) {
+    count(scene.trace.view(), {&config, 1}, {.threads = 1, .kernel = choice});
+  };
+  contestants.push_back({"count(), scalar", [&] { whole(KernelChoice::scalar); }, {}});
+  contestants.push_back({"count(), SIMD", [&] { whole(KernelChoice::simd); }, {}});
+  race(contestants);
+  fmt::print("{}, {:.1f} million visits\n", title, 1e-6 * static_cast<double>(visits));
+  for (const Contestant& contestant : contestants) {
+    fmt::print("  {:<16}{:8.0f} million visits/s{:8.2f} x plain\n", contestant.name,
+               1e-6 * static_cast<double>(visits) / contestant.median(),
+               contestants.front().median() / contestant.median());
+  }
+}
 
+}  // namespace
+}  // namespace wedgesim::bench
+
+/// Arguments: words that a comparison's title must contain.
 int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  wedgesim::model::register_all();
-  benchmark::RunSpecifiedBenchmarks();
+  using namespace wedgesim::bench;  // NOLINT: its own
+  const std::pair<const char*, Light> lights[] = {
+      {"linear", Light::linear}, {"rectangle", Light::rectangle}, {"sphere", Light::sphere}};
+  const std::pair<const char*, Shape> shapes[] = {
+      {"broad wedges", Shape::broad}, {"thin wedges", Shape::thin}, {"noisy depth", Shape::noisy}};
+  for (const auto& [light_name, light] : lights) {
+    for (const auto& [shape_name, shape] : shapes) {
+      const std::string title = fmt::format("{}, {}", light_name, shape_name);
+      const bool chosen = std::all_of(argv + 1, argv + argc, [&](const char* word) {
+        return title.find(word) != std::string::npos;
+      });
+      if (chosen) compare(title, Scene(light, shape));
+    }
+  }
   return 0;
 }

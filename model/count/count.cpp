@@ -1,11 +1,13 @@
 #include "model/count/count.h"
 
+#include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <map>
 #include <optional>
@@ -125,6 +127,16 @@ void Traversal::walk() {
     count_primitive(primitive, workers_.local());
   });
   for (const Worker& worker : workers_) sums_.add(worker.sums);
+  frame_.for_each_block([this](std::uint32_t bx, std::uint32_t by) {
+    const std::uint64_t overflowed = image_.overflowed(frame_.block(bx, by));
+    if (overflowed == 0) return;
+    const auto bit = static_cast<unsigned>(std::countr_zero(overflowed));
+    throw InputError(
+        fmt::format("trace '{}', pixel {},{}", trace_.header.name, bx * kBlock + bit % kBlock,
+                    by * kBlock + bit / kBlock),
+        "too many wedges or umbra polygons",
+        fmt::format("at most {} contributions of one kind to a pixel", kMostContributions));
+  });
 }
 
 void Traversal::count_primitive(const Primitive& primitive, Worker& worker) {

@@ -48,7 +48,7 @@ ZMethod resolve_z(const traces::TraceView& trace, ZChoice choice);
 /// \return         one result a configuration, in their order; the same whatever the thread count,
 ///                 `seconds` apart
 /// \throws         InputError if a configuration is out of range, or asks for z-pass where the
-///                 trace needs z-fail
+///                 trace needs z-fail, or if a pixel takes more than kMostContributions of one kind
 /// Memory: the frame's buffers (24 bytes a pixel, 24 more for maps) and 1/4 byte a pixel and
 /// configuration; many configurations on a large frame are walked in batches.
 std::vector<CountResult> count(const traces::TraceView& trace, std::span<const CountConfig> configs,

@@ -9,14 +9,17 @@ namespace {
 
 // The pixels of a polygon's 8 row spans within the block at first_x, which its rim crosses.
 std::uint64_t rim_bits(const Footprint::SpanRows& rows, int first_x) {
-  std::uint64_t bits = 0;
+  // kFrom[i]: the pixels of a row from i on.
+  static constexpr std::array<std::uint8_t, kBlock + 1> kFrom{0xff, 0xfe, 0xfc, 0xf8, 0xf0,
+                                                              0xe0, 0xc0, 0x80, 0x00};
+  std::array<std::uint64_t, 2> bits{};
   for (std::size_t row = 0; row < kBlock; ++row) {
-    const int begin = std::max(rows.spans[row].begin - first_x, 0);
-    const int end = std::min(rows.spans[row].end - first_x, kBlock);
-    if (begin >= end) continue;
-    bits |= std::uint64_t{(1U << end) - (1U << begin)} << (kBlock * row);
+    const auto begin =
+        static_cast<std::size_t>(std::clamp(rows.spans[row].begin - first_x, 0, kBlock));
+    const auto end = static_cast<std::size_t>(std::clamp(rows.spans[row].end - first_x, 0, kBlock));
+    bits[row % 2] |= std::uint64_t(kFrom[begin] ^ kFrom[end]) << (kBlock * row);
   }
-  return bits;
+  return bits[0] | bits[1];
 }
 
 // The pixels of a polygon's 8 row spans within the block at first_x.
@@ -28,16 +31,12 @@ inline std::uint64_t block_bits(const Footprint::SpanRows& rows, int first_x) {
 
 Footprint::SpanRows span_rows(const Outline& outline, const ZFrame& frame, int first_y) {
   Footprint::SpanRows rows;
+  rows.spans = outline.rows(first_y, frame.width(), frame.height());
   rows.any_begin = rows.all_end = frame.width();
-  for (int row = 0; row < kBlock; ++row) {
-    const int y = first_y + row;
-    const bool possible = y >= outline.row_begin() && y < outline.row_end() && y < frame.height();
-    const Span span = possible ? outline.row(y, frame.width()) : Span{};
-    rows.spans[static_cast<std::size_t>(row)] = span;
+  for (const Span& span : rows.spans) {
     rows.all_begin = std::max(rows.all_begin, span.begin);
     rows.all_end = std::min(rows.all_end, span.end);
-    if (span.begin == span.end) continue;
-    rows.any_begin = std::min(rows.any_begin, span.begin);
+    rows.any_begin = std::min(rows.any_begin, span.begin < span.end ? span.begin : frame.width());
     rows.any_end = std::max(rows.any_end, span.end);
   }
   return rows;

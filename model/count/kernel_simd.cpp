@@ -2,31 +2,21 @@
 // contribution.cpp: the same operations in the same order, no fused multiply-add.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <tuple>
 
-#include "model/count/atan.h"
 #include "model/count/kernel.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/count/kernel_simd.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 // After it:
-#include "hwy/highway.h"
+#include "model/count/contribution_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace wedgesim::model {
 namespace HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<double, kBlock>;  // lanes never straddle a block's row
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr D kTag;
-constexpr hn::RebindToSigned<D> kIntTag;
-
-V set(double value) { return hn::Set(kTag, value); }
 
 // The lanes' sign bits, lane 0 lowest.
 std::uint64_t sign_bits(V v) {
@@ -34,43 +24,7 @@ std::uint64_t sign_bits(V v) {
   hn::StoreMaskBits(
       kTag, hn::MaskFromVec(hn::BitCast(kTag, hn::BroadcastSignBit(hn::BitCast(kIntTag, v)))),
       bytes.data());
-  return bytes[0];
-}
-
-// The groups of lanes of a block's row.
-constexpr std::size_t kLanes = hn::MaxLanes(kTag);
-constexpr std::size_t kGroups = kBlock / kLanes;
-constexpr std::uint64_t kGroupBits = (std::uint64_t{1} << kLanes) - 1;
-using Row8 = std::array<V, kGroups>;
-
-// A plane or row over one block: a*x of its 8 columns and b*y of its 8 rows are kept.
-struct BlockPlane {
-  std::array<double, kBlock> ax, by;
-  double c = 0.0, d = 0.0;
-
-  BlockPlane() = default;
-  template <typename Linear>
-  HWY_INLINE BlockPlane(const Linear& linear, const Block& block) : c(linear.c), d(linear.d) {
-    for (std::size_t k = 0; k < kBlock; k += kLanes) {
-      const V centre = hn::Add(hn::Iota(kTag, static_cast<double>(k)), set(0.5));
-      const V x = hn::Add(set(block.bx * 8.0), centre);
-      const V y = hn::Add(set(block.by * 8.0), centre);
-      hn::StoreU(hn::Mul(set(linear.a), x), kTag, &ax[k]);
-      hn::StoreU(hn::Mul(set(linear.b), y), kTag, &by[k]);
-    }
-  }
-  HWY_INLINE V value(std::size_t row, std::size_t group, V z) const {
-    const V ab = hn::Add(hn::LoadU(kTag, &ax[group * kLanes]), set(by[row]));
-    return hn::Add(hn::Add(ab, hn::Mul(set(c), z)), set(d));
-  }
-};
-
-// Calls f(row) for the rows of a block that hold a candidate.
-template <typename F>
-HWY_INLINE void for_each_row(std::uint64_t candidates, F&& f) {
-  for (std::size_t row = 0; row < kBlock; ++row) {
-    if ((candidates >> (8 * row) & 0xff) != 0) f(row);
-  }
+  return bytes[0] & kGroupBits;
 }
 
 HWY_INLINE Box box_of(const Block& block) {
@@ -79,93 +33,138 @@ HWY_INLINE Box box_of(const Block& block) {
   return {x, x + 8.0, y, y + 8.0, block.z_interval};
 }
 
-// The planes of a wedge that decide within a block. A plane that holds at all corners of the
-// block's box holds at its pixels (monotone rounding), one that holds at none excludes it.
-class DecidingPlanes {
- public:
-  /// \return false if the whole block is outside
-  HWY_INLINE bool place(const Primitive& wedge, const Block& block) {
-    count_ = 0;
-    const ZInterval z = block.z_interval;
-    if (z.min > wedge.z.max || z.max < wedge.z.min) return false;
-    const Box box = box_of(block);
-    for (const Plane& plane : wedge.planes) {
-      const bool far_inside = plane.inward_c() >= 0.0;
-      if (!plane.reaches(box, far_inside ? z.max : z.min)) return false;
-      if (plane.holds(box, far_inside ? z.min : z.max)) continue;
-      flips_[count_] = plane.minus ? -0.0 : 0.0;
-      planes_[count_++] = BlockPlane(plane, block);
-    }
-    return true;
-  }
-  bool empty() const { return count_ == 0; }
-  /// The sign bit tells whether a point is outside. No value is ever -0.
-  HWY_INLINE void or_outside(std::size_t row, const Row8& z, Row8& outside) const {
-    for (std::size_t p = 0; p < count_; ++p) {
-      const V flip = set(flips_[p]);
-      for (std::size_t g = 0; g < kGroups; ++g) {
-        outside[g] = hn::Or(outside[g], hn::Xor(planes_[p].value(row, g, z[g]), flip));
-      }
-    }
-  }
-
- private:
-  std::array<BlockPlane, 8> planes_;
-  std::array<double, 8> flips_{};
-  std::size_t count_ = 0;
-};
-
-// Set bits where a point of a row is outside.
-HWY_INLINE std::uint64_t outside_bits(const DecidingPlanes& deciding, ZInterval interval,
-                                      const double* z_of_row, std::size_t row) {
-  Row8 z;
-  Row8 outside;
+// Set bits where a plane's value is negative, in the rows of a block that hold a candidate; other
+// rows' bits are 0. No value is ever -0 (plane.h).
+HWY_INLINE std::uint64_t negative_bits(const Plane& plane, const Block& block,
+                                       std::uint64_t candidates) {
+  std::array<V, kGroups> ax;
   for (std::size_t g = 0; g < kGroups; ++g) {
-    z[g] = hn::LoadU(kTag, z_of_row + g * kLanes);
-    outside[g] = hn::Or(hn::Sub(z[g], set(interval.min)), hn::Sub(set(interval.max), z[g]));
+    const V centre = hn::Add(hn::Iota(kTag, static_cast<double>(g * kLanes)), set(0.5));
+    ax[g] = hn::Mul(set(plane.a), hn::Add(set(block.bx * 8.0), centre));
   }
-  deciding.or_outside(row, z, outside);
+  const V c = set(plane.c);
+  const V d = set(plane.d);
   std::uint64_t bits = 0;
-  for (std::size_t g = 0; g < kGroups; ++g) {
-    bits |= (sign_bits(outside[g]) & kGroupBits) << (g * kLanes);
+  for (std::size_t row = 0; row < kBlock; ++row) {
+    if ((candidates >> (kBlock * row) & 0xff) == 0) continue;
+    const V by = set(plane.b * (block.by * 8.0 + (static_cast<double>(row) + 0.5)));
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      const std::size_t shift = kBlock * row + g * kLanes;
+      const V z = hn::LoadU(kTag, block.z + shift);
+      const V value = hn::Add(hn::Add(hn::Add(ax[g], by), hn::Mul(c, z)), d);
+      bits |= sign_bits(value) << shift;
+    }
   }
   return bits;
 }
 
+struct IntervalBits {
+  std::uint64_t before = 0, beyond = 0;
+};
+
+// Set bits where z is outside an interval, in the rows of a block that hold a candidate.
+HWY_INLINE IntervalBits interval_bits(ZInterval interval, const Block& block,
+                                      std::uint64_t candidates) {
+  IntervalBits bits;
+  for (std::size_t row = 0; row < kBlock; ++row) {
+    if ((candidates >> (kBlock * row) & 0xff) == 0) continue;
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      const std::size_t shift = kBlock * row + g * kLanes;
+      const V z = hn::LoadU(kTag, block.z + shift);
+      bits.before |= sign_bits(hn::Sub(z, set(interval.min))) << shift;
+      bits.beyond |= sign_bits(hn::Sub(set(interval.max), z)) << shift;
+    }
+  }
+  return bits;
+}
+
+// A wedge's planes side by side, to test a block's box against all of them at once. A plane that
+// holds at all corners of the box holds at its pixels (monotone rounding), one that holds at none
+// excludes it; the others decide pixel by pixel.
+class BoxTests {
+ public:
+  HWY_INLINE explicit BoxTests(std::span<const Plane> planes) {
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      const Plane& plane = planes[i];
+      a_[i] = plane.a;
+      b_[i] = plane.b;
+      c_[i] = plane.c;
+      d_[i] = plane.d;
+      flip_[i] = plane.minus ? -0.0 : 0.0;
+      right_[i] = (plane.a >= 0.0) != plane.minus ? 8.0 : 0.0;
+      below_[i] = (plane.b >= 0.0) != plane.minus ? 8.0 : 0.0;
+      far_[i] = plane.inward_c() >= 0.0 ? 1.0 : 0.0;
+    }
+    groups_ = (planes.size() + kLanes - 1) / kLanes;
+  }
+
+  struct Result {
+    std::uint64_t excluding = 0;  // bit i: plane i excludes the box
+    std::uint64_t deciding = 0;   // bit i: plane i does not hold everywhere in it
+  };
+  HWY_INLINE Result test(const Block& block) const {
+    Result result;
+    const V x0 = set(block.bx * 8.0);
+    const V y0 = set(block.by * 8.0);
+    const V near = set(block.z_interval.min);
+    const V far = set(block.z_interval.max);
+    const V eight = set(8.0);
+    for (std::size_t i = 0; i < groups_ * kLanes; i += kLanes) {
+      const V right = hn::LoadU(kTag, &right_[i]);
+      const V below = hn::LoadU(kTag, &below_[i]);
+      const M is_far = hn::Ne(hn::LoadU(kTag, &far_[i]), hn::Zero(kTag));
+      result.excluding |=
+          outside(i, hn::Add(x0, right), hn::Add(y0, below), hn::IfThenElse(is_far, far, near));
+      result.deciding |=
+          outside(i, hn::Add(x0, hn::Sub(eight, right)), hn::Add(y0, hn::Sub(eight, below)),
+                  hn::IfThenElse(is_far, near, far));
+    }
+    return result;
+  }
+
+ private:
+  // Bit k: a point, one for each plane, is outside plane k; planes i ... i + kLanes - 1.
+  HWY_INLINE std::uint64_t outside(std::size_t i, V x, V y, V z) const {
+    const V ab = hn::Add(hn::Mul(hn::LoadU(kTag, &a_[i]), x), hn::Mul(hn::LoadU(kTag, &b_[i]), y));
+    const V abc = hn::Add(ab, hn::Mul(hn::LoadU(kTag, &c_[i]), z));
+    const V value = hn::Add(abc, hn::LoadU(kTag, &d_[i]));
+    return sign_bits(hn::Xor(value, hn::LoadU(kTag, &flip_[i]))) << i;
+  }
+
+  // Planes that are not there hold everywhere: 0 >= 0.
+  std::array<double, 8> a_{}, b_{}, c_{}, d_{}, flip_{}, right_{}, below_{}, far_{};
+  std::size_t groups_ = 0;
+};
+
 void inside(const Primitive& wedge, std::span<const Block> blocks, const std::uint64_t* candidates,
             std::uint64_t* result) {
-  DecidingPlanes deciding;
+  const BoxTests tests(wedge.planes);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const Block& block = blocks[i];
+    const ZInterval z = block.z_interval;
     result[i] = 0;
-    if (candidates[i] == 0 || !deciding.place(wedge, block)) continue;
-    result[i] = candidates[i];
-    const bool in_interval =
-        block.z_interval.min >= wedge.z.min && block.z_interval.max <= wedge.z.max;
-    if (in_interval && deciding.empty()) continue;
-    std::uint64_t outside = 0;
-    for_each_row(candidates[i], [&](std::size_t row) HWY_ATTR {
-      outside |= outside_bits(deciding, wedge.z, block.z + 8 * row, row) << (8 * row);
-    });
-    result[i] &= ~outside;
+    if (candidates[i] == 0 || z.min > wedge.z.max || z.max < wedge.z.min) continue;
+    const auto [excluding, deciding] = tests.test(block);
+    if (excluding != 0) continue;
+    std::uint64_t left = candidates[i];
+    if (z.min < wedge.z.min || z.max > wedge.z.max) {
+      const IntervalBits bits = interval_bits(wedge.z, block, left);
+      left &= ~(bits.before | bits.beyond);
+    }
+    for (std::uint64_t planes = deciding; planes != 0; planes &= planes - 1) {
+      const Plane& plane = wedge.planes[static_cast<std::size_t>(std::countr_zero(planes))];
+      const std::uint64_t negative = negative_bits(plane, block, left);
+      left &= plane.minus ? negative : ~negative;
+    }
+    result[i] = left;
   }
 }
 
 UmbraBits umbra_bits(const Plane& plane, ZInterval interval, const Block& block,
                      std::uint64_t candidates) {
-  UmbraBits bits;
-  const BlockPlane placed(plane, block);
-  for_each_row(candidates, [&](std::size_t row) HWY_ATTR {
-    for (std::size_t g = 0; g < kGroups; ++g) {
-      const std::size_t shift = 8 * row + g * kLanes;
-      const V z = hn::LoadU(kTag, block.z + shift);
-      const std::uint64_t negative = sign_bits(placed.value(row, g, z));
-      bits.inner |= ((plane.minus ? negative : ~negative) & kGroupBits) << shift;
-      bits.before |= (sign_bits(hn::Sub(z, set(interval.min))) & kGroupBits) << shift;
-      bits.beyond |= (sign_bits(hn::Sub(set(interval.max), z)) & kGroupBits) << shift;
-    }
-  });
-  return bits;
+  const std::uint64_t negative = negative_bits(plane, block, candidates);
+  const IntervalBits bits = interval_bits(interval, block, candidates);
+  return {plane.minus ? negative : ~negative, bits.before, bits.beyond};
 }
 
 void umbra(const Plane& plane, ZInterval interval, std::span<const Block> blocks,
@@ -192,193 +191,6 @@ void umbra(const Plane& plane, ZInterval interval, std::span<const Block> blocks
   }
 }
 
-// What is linear in x, y and z, at one group of lanes of a block.
-struct Here {
-  const BlockPlane* rows;
-  std::size_t row, group;
-  V z;
-  HWY_INLINE V operator()(std::size_t i) const { return rows[i].value(row, group, z); }
-};
-
-std::array<Row, 4> rows_of(const LinearTerms& terms) {
-  // Turned inwards: that changes no bit of a value but its sign.
-  std::array<Row, 4> rows;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Plane& plane = terms.planes[i];
-    const double sign = plane.minus ? -1.0 : 1.0;
-    rows[i] = {sign * plane.a, sign * plane.b, sign * plane.c, sign * plane.d};
-  }
-  return rows;
-}
-std::array<Row, 6> rows_of(const RectangleTerms& terms) {
-  const auto& [p, q] = terms.ends;
-  return {p.u, p.v, p.w, q.u, q.v, q.w};
-}
-std::array<Row, 4> rows_of(const SphereTerms& terms) {
-  return {terms.x, terms.y, terms.z, terms.w};
-}
-
-V value_of(const LinearTerms& terms, const Here& here) {
-  const V front = here(0);
-  const V back = here(1);
-  const V left = here(2);
-  const V right = here(3);
-  const V back_left = hn::Mul(back, set(terms.factors[1]));
-  const V back_right = hn::Mul(back, set(terms.factors[3]));
-  const V thick_left = hn::Add(hn::Mul(front, set(terms.factors[0])), back_left);
-  const V thick_right = hn::Add(hn::Mul(front, set(terms.factors[2])), back_right);
-  const V to_left = hn::Mul(left, set(terms.factors[4]));
-  const V to_right = hn::Mul(right, set(terms.factors[5]));
-  const V numerator = hn::Add(hn::Mul(hn::Mul(to_right, back_left), thick_right),
-                              hn::Mul(hn::Mul(to_left, back_right), thick_left));
-  const V denominator = hn::Mul(hn::Mul(thick_left, thick_right), hn::Add(to_right, to_left));
-  const V zero = hn::Zero(kTag);
-  const V one = set(1.0);
-  const V s = hn::Div(numerator, denominator);
-  const V clamped = hn::IfThenElse(hn::Lt(s, zero), zero, hn::IfThenElse(hn::Gt(s, one), one, s));
-  return hn::IfThenElse(hn::Eq(denominator, zero), set(0.5), clamped);
-}
-
-struct Part {
-  V first, last;
-  M alive;
-};
-
-void clip(V f0, V f1, Part& part) {
-  const V zero = hn::Zero(kTag);
-  const M out0 = hn::Lt(f0, zero);
-  const M out1 = hn::Lt(f1, zero);
-  const V t = hn::Div(f0, hn::Sub(f0, f1));
-  part.alive = hn::AndNot(hn::And(out0, out1), part.alive);
-  part.first = hn::IfThenElse(hn::And(out0, hn::Gt(t, part.first)), t, part.first);
-  part.last = hn::IfThenElse(hn::And(out1, hn::Lt(t, part.last)), t, part.last);
-}
-
-V perimeter(V u, V v) {
-  const V zero = hn::Zero(kTag);
-  const M sideways = hn::Ge(hn::Abs(u), hn::Abs(v));
-  const V numerator = hn::IfThenElse(sideways, v, u);
-  const V denominator = hn::IfThenElse(sideways, u, v);
-  const V ratio = hn::Div(numerator, denominator);
-  const V side = hn::Add(hn::IfThenElse(hn::Lt(u, zero), set(4.0), zero), ratio);
-  const V ends = hn::Sub(hn::IfThenElse(hn::Lt(v, zero), set(6.0), set(2.0)), ratio);
-  return hn::IfThenElse(hn::Eq(denominator, zero), zero, hn::IfThenElse(sideways, side, ends));
-}
-
-V along(V begin, V t, V direction) { return hn::Add(begin, hn::Mul(t, direction)); }
-
-V value_of(const RectangleTerms&, const Here& here) {
-  const V u0 = here(0);
-  const V v0 = here(1);
-  const V w0 = here(2);
-  const V u1 = here(3);
-  const V v1 = here(4);
-  const V w1 = here(5);
-  const V zero = hn::Zero(kTag);
-  Part part{zero, set(1.0), hn::Eq(zero, zero)};
-  clip(hn::Sub(w0, u0), hn::Sub(w1, u1), part);
-  clip(hn::Add(w0, u0), hn::Add(w1, u1), part);
-  clip(hn::Sub(w0, v0), hn::Sub(w1, v1), part);
-  clip(hn::Add(w0, v0), hn::Add(w1, v1), part);
-  part.alive = hn::And(part.alive, hn::Lt(part.first, part.last));
-  const V du = hn::Sub(u1, u0);
-  const V dv = hn::Sub(v1, v0);
-  const V dw = hn::Sub(w1, w0);
-  const V pu = along(u0, part.first, du);
-  const V pv = along(v0, part.first, dv);
-  const V qu = along(u0, part.last, du);
-  const V qv = along(v0, part.last, dv);
-  const V w = hn::Mul(along(w0, part.first, dw), along(w0, part.last, dw));
-  part.alive = hn::And(part.alive, hn::Gt(w, zero));
-  V turn = hn::Sub(perimeter(qu, qv), perimeter(pu, pv));
-  turn = hn::IfThenElse(hn::Gt(turn, set(4.0)), hn::Sub(turn, set(8.0)), turn);
-  turn = hn::IfThenElse(hn::Lt(turn, set(-4.0)), hn::Add(turn, set(8.0)), turn);
-  const V cross = hn::Div(hn::Sub(hn::Mul(pu, qv), hn::Mul(pv, qu)), w);
-  return hn::IfThenElseZero(part.alive, hn::Mul(hn::Abs(hn::Sub(turn, cross)), set(0.125)));
-}
-
-V upper_angles(V y, V x) {
-  const V zero = hn::Zero(kTag);
-  const V ax = hn::Abs(x);
-  const M steep = hn::Lt(ax, y);
-  const V small = hn::IfThenElse(steep, ax, y);
-  const V large = hn::IfThenElse(steep, y, ax);
-  const M shift = hn::Gt(small, hn::Mul(set(kTanEighthPi), large));
-  const V r = hn::Div(hn::IfThenElse(shift, hn::Sub(small, large), small),
-                      hn::IfThenElse(shift, hn::Add(small, large), large));
-  const V w = hn::Mul(r, r);
-  V p = set(kAtanCoefficients.back());
-  for (std::size_t i = kAtanCoefficients.size() - 1; i-- > 0;) {
-    p = hn::Add(hn::Mul(p, w), set(kAtanCoefficients[i]));
-  }
-  V angle = hn::Add(hn::Mul(r, p), hn::IfThenElse(shift, set(kQuarterPi), zero));
-  angle = hn::IfThenElse(steep, hn::Sub(set(kHalfPi), angle), angle);
-  angle = hn::IfThenElse(hn::Lt(x, zero), hn::Sub(set(kPi), angle), angle);
-  return hn::IfThenElse(hn::Eq(large, zero), zero, angle);
-}
-
-struct Vector {
-  V x, y, z;
-};
-V dot(const Vector& a, const Vector& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-Vector broadcast(const glm::dvec3& v) { return {set(v.x), set(v.y), set(v.z)}; }
-Vector scale(V w, const Vector& a) { return {hn::Mul(w, a.x), hn::Mul(w, a.y), hn::Mul(w, a.z)}; }
-Vector minus(const Vector& a, const Vector& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-Vector along(const Vector& begin, V t, const Vector& direction) {
-  return {along(begin.x, t, direction.x), along(begin.y, t, direction.y),
-          along(begin.z, t, direction.z)};
-}
-
-V value_of(const SphereTerms& terms, const Here& here) {
-  const V zero = hn::Zero(kTag);
-  const Vector p{here(0), here(1), here(2)};
-  const V w = here(3);
-  const V pp = dot(p, p);
-  const V g = hn::Sub(pp, hn::Mul(w, w));
-  M alive = hn::Gt(g, zero);
-  const Vector v = minus(scale(w, broadcast(terms.begin)), p);
-  const Vector e = scale(w, broadcast(terms.edge));
-  const V vp = dot(v, p);
-  const V ep = dot(e, p);
-  const V a = hn::Sub(hn::Mul(ep, ep), hn::Mul(g, dot(e, e)));
-  const V b = hn::Sub(hn::Mul(vp, ep), hn::Mul(g, dot(v, e)));
-  const V c = hn::Sub(hn::Mul(vp, vp), hn::Mul(g, dot(v, v)));
-  const V discriminant = hn::Sub(hn::Mul(b, b), hn::Mul(a, c));
-  const M positive = hn::Gt(discriminant, zero);
-  const M crosses = hn::Lt(a, zero);
-  alive = hn::And(alive, hn::Or(positive, hn::Not(crosses)));
-  const V root = hn::Sqrt(hn::IfThenElseZero(positive, discriminant));
-  const V q = hn::IfThenElse(hn::Lt(b, zero), hn::Sub(root, b), hn::Neg(hn::Add(b, root)));
-  const V r0 = hn::Div(q, a);
-  const V r1 = hn::Div(c, q);
-  const M ordered = hn::Lt(r0, r1);
-  const V low = hn::IfThenElse(ordered, r0, r1);
-  const V high = hn::IfThenElse(ordered, r1, r0);
-  const M towards = hn::Lt(ep, zero);
-  const V enter = hn::IfThenElse(crosses, low, high);
-  const V leave = hn::IfThenElse(crosses, high, low);
-  const M enters = hn::And(hn::Or(crosses, towards), hn::Gt(enter, zero));
-  const M leaves = hn::And(hn::Or(crosses, hn::Not(towards)), hn::Lt(leave, set(1.0)));
-  const V first = hn::IfThenElse(enters, enter, zero);
-  const V last = hn::IfThenElse(leaves, leave, set(1.0));
-  const V axial0 = along(vp, first, ep);
-  const V axial1 = along(vp, last, ep);
-  alive = hn::And(alive, hn::Lt(first, last));
-  alive = hn::And(alive, hn::And(hn::Lt(axial0, zero), hn::Lt(axial1, zero)));
-  const V axial = hn::Div(hn::Mul(axial0, axial1), pp);
-  const V inline_part = hn::Sub(dot(along(v, first, e), along(v, last, e)), axial);
-  const V ww = hn::Mul(w, w);
-  const V triple = hn::Mul(hn::Mul(hn::Sub(last, first), ww), dot(p, broadcast(terms.normal)));
-  const V across = hn::Div(hn::Abs(triple), hn::Sqrt(pp));
-  const V cross = hn::Div(hn::Mul(across, g), hn::Mul(axial, ww));
-  const V area = hn::Sub(upper_angles(across, inline_part), cross);
-  return hn::IfThenElseZero(alive, hn::Mul(area, set(0.5 / kPi)));
-}
-
 // All ones in the lanes of the set bits.
 HWY_INLINE hn::Vec<decltype(kIntTag)> lanes_of(std::uint64_t bits) {
   alignas(16) static constexpr std::array<std::int64_t, 8> kBits{1, 2, 4, 8, 16, 32, 64, 128};
@@ -392,10 +204,10 @@ void words_of(const Terms& terms, double one, std::span<const Block> blocks,
               const std::uint64_t* sets, const std::uint64_t* negated, std::int64_t* result) {
   const auto magic = hn::BitCast(kIntTag, set(kRoundMagic));
   const auto rows = rows_of(terms);
-  std::array<BlockPlane, std::tuple_size_v<decltype(rows)>> placed;
+  std::array<BlockRow, std::tuple_size_v<decltype(rows)>> placed;
   for (std::size_t i = 0; i < blocks.size(); ++i, result += kBlockPixels) {
     if (sets[i] == 0) continue;
-    for (std::size_t k = 0; k < rows.size(); ++k) placed[k] = BlockPlane(rows[k], blocks[i]);
+    for (std::size_t k = 0; k < rows.size(); ++k) placed[k].place(rows[k], blocks[i]);
     const bool turns = (sets[i] & negated[i]) != 0;
     for (std::size_t shift = 0; shift < kBlockPixels; shift += kLanes) {
       const std::uint64_t bits = sets[i] >> shift & kGroupBits;

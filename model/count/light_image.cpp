@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <mutex>
 
-#include "base/check.h"
 #include "model/count/bits.h"
 
 namespace wedgesim::model {
@@ -20,19 +19,21 @@ void add_words(const std::int64_t* __restrict words, std::uint64_t set,
 
 }  // namespace
 
-void PixelCounters::add(std::size_t block, std::uint64_t set) {
-  auto& slices = slices_[block];
-  for (std::size_t k = 0; set != 0 && k < kSlices; ++k) {
-    const std::uint64_t carry = slices[k] & set;
-    slices[k] ^= set;
+void PixelCounters::add_high(std::size_t block, std::uint64_t set) {
+  High& high = high_[block];
+  for (std::uint64_t& slice : high.slices) {
+    const std::uint64_t carry = slice & set;
+    slice ^= set;
     set = carry;
+    if (set == 0) return;
   }
-  CHECK_EQ(set, 0U);
+  high.overflowed |= set;
 }
 
 std::uint64_t PixelCounters::counted(std::size_t block) const {
-  std::uint64_t any = 0;
-  for (std::uint64_t slice : slices_[block]) any |= slice;
+  std::uint64_t any = high_[block].overflowed;
+  for (std::uint64_t slice : low_[block]) any |= slice;
+  for (std::uint64_t slice : high_[block].slices) any |= slice;
   return any;
 }
 

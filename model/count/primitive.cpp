@@ -18,6 +18,9 @@ Outline outline_of(const TraceView& trace, const Polygon& polygon) {
   return Outline(vertices);
 }
 
+// Adding 0 turns -0 into +0: no difference of depths is then -0, whose sign bit the kernels read.
+ZInterval interval(double min, double max) { return {min + 0.0, max + 0.0}; }
+
 void add_faces(const TraceView& trace, ZMethod method, const traces::fb::Wedge& wedge,
                Primitive& primitive) {
   for (std::uint32_t i = 0; i < wedge.face_count(); ++i) {
@@ -25,7 +28,7 @@ void add_faces(const TraceView& trace, ZMethod method, const traces::fb::Wedge& 
     Outline outline = outline_of(trace, face);
     if (outline.empty() || outline.eye_facing() != (method == ZMethod::pass)) continue;
     primitive.faces.push_back(
-        {std::move(outline), resolve(trace, face.plane()), {face.z_min(), face.z_max()}});
+        {std::move(outline), resolve(trace, face.plane()), interval(face.z_min(), face.z_max())});
     primitive.face_numbers.push_back(wedge.first_face() + i);
   }
 }
@@ -58,7 +61,7 @@ void add_polygon(const TraceView& trace, ZMethod method, std::uint32_t index,
   umbra.outline = outline_of(trace, polygon);
   if (umbra.outline.empty()) return;
   if (!cap) umbra.inner = resolve(trace, polygon.plane());
-  umbra.z = {polygon.z_min(), polygon.z_max()};
+  umbra.z = interval(polygon.z_min(), polygon.z_max());
   umbra.eye_facing = umbra.outline.eye_facing();
   umbra.cap = cap;
   // z-pass counts where an eye-facing polygon passes (inner) or another does (not inner); z-fail
@@ -91,7 +94,7 @@ Primitive wedge_primitive(const TraceView& trace, ZMethod method, std::uint32_t 
   for (std::uint16_t i = 0; i < wedge.plane_count(); ++i) {
     primitive.planes.push_back(resolve(trace, (*wedge.planes())[i]));
   }
-  primitive.z = {wedge.z_min(), wedge.z_max()};
+  primitive.z = interval(wedge.z_min(), wedge.z_max());
   add_faces(trace, method, wedge, primitive);
   add_vertex_bounds(trace, wedge, primitive);
   primitive.terms = light_terms(trace, wedge);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -37,13 +38,20 @@ class Outline {
   int row_end() const { return row_end_; }
   /// The covered pixels of a row, clipped to [0, width).
   Span row(int y, int width) const;
+  /// Those of rows first_y ... first_y + 7, with one division an edge; none at or beyond height.
+  std::array<Span, 8> rows(int first_y, int width, int height) const;
   bool covers(int x, int y) const;
 
  private:
+  /// A left edge: X >= x - floor(k * (Y - y) / d); a right edge: X < that. d > 0.
   struct Edge {
-    std::int64_t x, y, dx, dy;  // directed so that the inside has dx*(Y - y) - dy*(X - x) > 0
+    std::int64_t x, y, k, d;
+    std::int64_t quotient, remainder;  // of 256 * k / d: the step from row to row
   };
-  std::vector<Edge> edges_;
+  static void walk(const Edge& edge, int first_y, auto&& bound);
+  void add_edge(const Snapped& p, const Snapped& q);
+
+  std::vector<Edge> left_, right_;
   std::int64_t area_ = 0;  // doubled, y down
   int row_begin_ = 0;
   int row_end_ = 0;

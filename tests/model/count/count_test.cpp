@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -368,6 +369,51 @@ TEST(Count, CountsSumsOutOfRange) {
   EXPECT_EQ(results[0].counters->li_overflow_pixels.value(), 2u);
   EXPECT_EQ(results[1].counters->li_overflow_pixels.value(), 2u);
   EXPECT_EQ(results[0].counters->contributions_max.value(), 20u);
+}
+
+TEST(Count, TakesMinusZeroForZeroInDepthIntervals) {
+  // Half of the frame is at depth 0, where the wedge and its polygon end: inside, and not beyond.
+  SyntheticTrace synthetic(8, 8, 0.0);
+  for (std::uint32_t i = 0; i < 32; ++i) synthetic.set_depth(i % 8, i / 8, 0.5);
+  const std::vector<test::Point> all{{0, 0, -0.0}, {8, 0, -0.0}, {8, 8, -0.0}, {0, 8, -0.0}};
+  const std::uint32_t everywhere = synthetic.add_plane(0, 0, 0, 1);
+  synthetic.add_face(all, Facing::eye, everywhere);
+  const std::uint32_t wedge =
+      synthetic.add_wedge(traces::fb::WedgeKind_coverage, {everywhere}, -0.0, -0.0);
+  const std::uint32_t nowhere = synthetic.add_plane(0, 0, 0, -1);
+  synthetic.add_umbra(all, Facing::eye, nowhere, wedge);
+  ASSERT_TRUE(std::signbit(synthetic.trace.wedges[0].z_max()));
+  ASSERT_TRUE(std::signbit(synthetic.trace.umbra_polygons[0].z_max()));
+  const CountConfig config;
+  CountOptions options;
+  options.maps = true;
+  const auto simd = count(synthetic.trace.view(), {&config, 1}, options);
+  options.kernel = KernelChoice::scalar;
+  const auto scalar = count(synthetic.trace.view(), {&config, 1}, options);
+  EXPECT_EQ(scalar[0].counters->pixels_inside.value(), 32u);
+  EXPECT_EQ(simd[0].counters->pixels_inside.value(), 32u);
+  EXPECT_EQ(simd[0].li, scalar[0].li);
+}
+
+TEST(Count, RefusesMoreContributionsThanAPixelCanSum) {
+  // One umbra polygon over pixel (9, 2) alone, listed again and again.
+  SyntheticTrace synthetic(12, 4, 0.5);
+  const std::uint32_t plane = synthetic.add_plane(0, 0, 1, -0.2);
+  synthetic.add_umbra({{9, 2, 0.2}, {10, 2, 0.2}, {10, 3, 0.2}, {9, 3, 0.2}}, Facing::eye, plane,
+                      traces::kNone);
+  auto& polygons = synthetic.trace.umbra_polygons;
+  polygons.resize((1U << 20) - 1, polygons.front());
+  const CountConfig config;
+  const auto most = count(synthetic.trace.view(), {&config, 1});
+  EXPECT_EQ(most[0].counters->contributions_max.value(), 1048575u);
+  polygons.push_back(polygons.front());
+  try {
+    count(synthetic.trace.view(), {&config, 1});
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("pixel 9,2"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("1048575"), std::string::npos) << error.what();
+  }
 }
 
 TEST(Count, Paper255CountsInIntegers) {

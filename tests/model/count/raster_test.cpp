@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 namespace wedgesim::model {
@@ -128,6 +129,32 @@ TEST(Outline, EqualsTheEdgeFunctionsAtEveryPixel) {
       }
     }
   }
+}
+
+TEST(Outline, ManyRowsAreThoseOneByOne) {
+  std::mt19937 random(11);
+  SCOPED_TRACE("seed 11");
+  std::uniform_int_distribution<std::int64_t> near(-5000, 25000);
+  std::uniform_int_distribution<std::int64_t> far(-(1 << 28), 1 << 28);
+  std::uniform_int_distribution<int> rows(-9, 105);
+  int covered = 0;
+  for (int i = 0; i < 4000; ++i) {
+    std::vector<Snapped> triangle(3);
+    for (Snapped& p : triangle)
+      p = i % 4 == 0 ? Snapped{far(random), far(random)} : Snapped{near(random), near(random)};
+    if (i % 5 == 0) triangle[1].y = triangle[0].y;  // a horizontal edge
+    const Outline outline(triangle);
+    if (outline.empty()) continue;
+    const int first = rows(random);
+    const std::array<Span, 8> spans = outline.rows(first, 80, 90);
+    for (int row = 0; row < 8; ++row) {
+      const Span expected = first + row < 90 ? outline.row(first + row, 80) : Span{};
+      ASSERT_EQ(spans[static_cast<std::size_t>(row)].begin, expected.begin) << i;
+      ASSERT_EQ(spans[static_cast<std::size_t>(row)].end, expected.end) << i;
+      covered += expected.end - expected.begin;
+    }
+  }
+  EXPECT_GT(covered, 10000);
 }
 
 }  // namespace

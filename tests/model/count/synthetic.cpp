@@ -73,6 +73,8 @@ Point mix(const Point& p, const Point& q, double t) {
   return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)};
 }
 
+Point snapped(const Point& p) { return {snap(p.x) / 256.0, snap(p.y) / 256.0, p.z}; }
+
 Facing facing_of(const std::vector<Point>& outline) {
   return doubled_area(outline) < 0 ? Facing::eye : Facing::away;
 }
@@ -116,14 +118,19 @@ struct Tetrahedron {
   }
 };
 
-Tetrahedron random_tetrahedron(std::mt19937& random, const traces::Header& header) {
+Tetrahedron random_tetrahedron(std::mt19937& random, const traces::Header& header,
+                               double thickness) {
   Tetrahedron body;
   for (Point& corner : body.corners) corner = random_point(random, header);
+  if (thickness < 1.0) {
+    body.corners[2] = snapped(mix(body.corners[0], body.corners[2], thickness));
+    body.corners[3] = snapped(mix(body.corners[1], body.corners[3], thickness));
+  }
   return body;
 }
 
-void add_tetrahedron_wedge(std::mt19937& random, SyntheticTrace& synthetic) {
-  const Tetrahedron body = random_tetrahedron(random, synthetic.trace.header);
+void add_tetrahedron_wedge(std::mt19937& random, SyntheticTrace& synthetic, double thickness) {
+  const Tetrahedron body = random_tetrahedron(random, synthetic.trace.header, thickness);
   std::vector<std::uint32_t> planes;
   double z_min = 1.0;
   double z_max = 0.0;
@@ -142,10 +149,7 @@ void add_tetrahedron_wedge(std::mt19937& random, SyntheticTrace& synthetic) {
   const double reach = below(random, 3) == 0 ? 1.2 : 0.5;
   std::array<Point, 3> triangle{mix(body.corners[0], body.corners[1], reach),
                                 mix(body.corners[0], body.corners[2], reach), body.corners[3]};
-  for (Point& p : triangle) {
-    p.x = snap(p.x) / 256.0;
-    p.y = snap(p.y) / 256.0;
-  }
+  for (Point& p : triangle) p = snapped(p);
   const Point within = body.corners[below(random, 2)];
   const std::uint32_t plane = synthetic.add_plane(triangle, within, below(random, 2) == 0);
   synthetic.add_umbra({triangle.begin(), triangle.end()}, facing_of(synthetic.trace, plane), plane,
@@ -153,7 +157,7 @@ void add_tetrahedron_wedge(std::mt19937& random, SyntheticTrace& synthetic) {
 }
 
 void add_umbra_body(std::mt19937& random, SyntheticTrace& synthetic) {
-  const Tetrahedron body = random_tetrahedron(random, synthetic.trace.header);
+  const Tetrahedron body = random_tetrahedron(random, synthetic.trace.header, 1.0);
   for (std::size_t i = 0; i < 4; ++i) {
     const auto face = body.face(i);
     const std::uint32_t plane = synthetic.add_plane(face, body.middle());
@@ -314,10 +318,10 @@ traces::Trace random_nonsense(std::mt19937& random, std::uint32_t width, std::ui
 }
 
 traces::Trace random_tetrahedra(std::mt19937& random, std::uint32_t width, std::uint32_t height,
-                                unsigned wedges) {
+                                unsigned wedges, double thickness) {
   SyntheticTrace synthetic(width, height, 1.0, random_shape(random), random_format(random));
   randomize_depth(random, synthetic);
-  for (unsigned i = 0; i < wedges; ++i) add_tetrahedron_wedge(random, synthetic);
+  for (unsigned i = 0; i < wedges; ++i) add_tetrahedron_wedge(random, synthetic, thickness);
   add_umbra_body(random, synthetic);
   return std::move(synthetic.trace);
 }

@@ -59,7 +59,9 @@ traces::Trace random_nonsense(std::mt19937& random, std::uint32_t width, std::ui
 
 /// A trace of sound wedges: tetrahedra with snapped vertices, an umbra polygon in each, and closed
 /// umbra volumes without wedges.
+/// \param thickness  of a tetrahedron across its first edge, as a fraction of a random one's: small
+///                   ones are slivers, as the wedges of fine meshes are
 traces::Trace random_tetrahedra(std::mt19937& random, std::uint32_t width, std::uint32_t height,
-                                unsigned wedges);
+                                unsigned wedges, double thickness = 1.0);
 
 }  // namespace wedgesim::model::test

@@ -1,0 +1,251 @@
+// What a wedge hides of its light, for the lanes of a vector at once: contribution.cpp, the same
+// operations in the same order. Compiled once for every instruction set, as Highway has it.
+#if defined(WEDGESIM_MODEL_COUNT_CONTRIBUTION_SIMD_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEDGESIM_MODEL_COUNT_CONTRIBUTION_SIMD_H
+#undef WEDGESIM_MODEL_COUNT_CONTRIBUTION_SIMD_H
+#else
+#define WEDGESIM_MODEL_COUNT_CONTRIBUTION_SIMD_H
+#endif
+
+#include <array>
+
+#include "hwy/highway.h"
+#include "model/count/atan.h"
+#include "model/count/kernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace wedgesim::model {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<double, kBlock>;  // lanes never straddle a block's row
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+constexpr D kTag;
+constexpr hn::RebindToSigned<D> kIntTag;
+
+V set(double value) { return hn::Set(kTag, value); }
+
+// The groups of lanes of a block's row.
+constexpr std::size_t kLanes = hn::MaxLanes(kTag);
+constexpr std::size_t kGroups = kBlock / kLanes;
+constexpr std::uint64_t kGroupBits = (std::uint64_t{1} << kLanes) - 1;
+
+// A value linear in x, y and z, over one block: a*x of its 8 columns and b*y of its 8 rows are
+// kept.
+struct BlockRow {
+  std::array<double, kBlock> ax, by;
+  double c, d;
+
+  HWY_INLINE void place(const Row& row, const Block& block) {
+    for (std::size_t k = 0; k < kBlock; k += kLanes) {
+      const V centre = hn::Add(hn::Iota(kTag, static_cast<double>(k)), set(0.5));
+      const V x = hn::Add(set(block.bx * 8.0), centre);
+      const V y = hn::Add(set(block.by * 8.0), centre);
+      hn::StoreU(hn::Mul(set(row.a), x), kTag, &ax[k]);
+      hn::StoreU(hn::Mul(set(row.b), y), kTag, &by[k]);
+    }
+    c = row.c;
+    d = row.d;
+  }
+  HWY_INLINE V value(std::size_t row, std::size_t group, V z) const {
+    const V ab = hn::Add(hn::LoadU(kTag, &ax[group * kLanes]), set(by[row]));
+    return hn::Add(hn::Add(ab, hn::Mul(set(c), z)), set(d));
+  }
+};
+
+// What is linear in x, y and z, at one group of lanes of a block.
+struct Here {
+  const BlockRow* rows;
+  std::size_t row, group;
+  V z;
+  HWY_INLINE V operator()(std::size_t i) const { return rows[i].value(row, group, z); }
+};
+
+std::array<Row, 4> rows_of(const LinearTerms& terms) {
+  // Turned inwards: that changes no bit of a value but its sign.
+  std::array<Row, 4> rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Plane& plane = terms.planes[i];
+    const double sign = plane.minus ? -1.0 : 1.0;
+    rows[i] = {sign * plane.a, sign * plane.b, sign * plane.c, sign * plane.d};
+  }
+  return rows;
+}
+std::array<Row, 6> rows_of(const RectangleTerms& terms) {
+  const auto& [p, q] = terms.ends;
+  return {p.u, p.v, p.w, q.u, q.v, q.w};
+}
+std::array<Row, 4> rows_of(const SphereTerms& terms) {
+  return {terms.x, terms.y, terms.z, terms.w};
+}
+
+V value_of(const LinearTerms& terms, const Here& here) {
+  const V front = here(0);
+  const V back = here(1);
+  const V left = here(2);
+  const V right = here(3);
+  const V back_left = hn::Mul(back, set(terms.factors[1]));
+  const V back_right = hn::Mul(back, set(terms.factors[3]));
+  const V thick_left = hn::Add(hn::Mul(front, set(terms.factors[0])), back_left);
+  const V thick_right = hn::Add(hn::Mul(front, set(terms.factors[2])), back_right);
+  const V to_left = hn::Mul(left, set(terms.factors[4]));
+  const V to_right = hn::Mul(right, set(terms.factors[5]));
+  const V numerator = hn::Add(hn::Mul(hn::Mul(to_right, back_left), thick_right),
+                              hn::Mul(hn::Mul(to_left, back_right), thick_left));
+  const V denominator = hn::Mul(hn::Mul(thick_left, thick_right), hn::Add(to_right, to_left));
+  const V zero = hn::Zero(kTag);
+  const V one = set(1.0);
+  const V s = hn::Div(numerator, denominator);
+  const V clamped = hn::IfThenElse(hn::Lt(s, zero), zero, hn::IfThenElse(hn::Gt(s, one), one, s));
+  return hn::IfThenElse(hn::Eq(denominator, zero), set(0.5), clamped);
+}
+
+struct Part {
+  V first, last;
+  M alive;
+};
+
+void clip(V f0, V f1, Part& part) {
+  const V zero = hn::Zero(kTag);
+  const M out0 = hn::Lt(f0, zero);
+  const M out1 = hn::Lt(f1, zero);
+  const V t = hn::Div(f0, hn::Sub(f0, f1));
+  part.alive = hn::AndNot(hn::And(out0, out1), part.alive);
+  part.first = hn::IfThenElse(hn::And(out0, hn::Gt(t, part.first)), t, part.first);
+  part.last = hn::IfThenElse(hn::And(out1, hn::Lt(t, part.last)), t, part.last);
+}
+
+V perimeter(V u, V v) {
+  const V zero = hn::Zero(kTag);
+  const M sideways = hn::Ge(hn::Abs(u), hn::Abs(v));
+  const V numerator = hn::IfThenElse(sideways, v, u);
+  const V denominator = hn::IfThenElse(sideways, u, v);
+  const V ratio = hn::Div(numerator, denominator);
+  const V side = hn::Add(hn::IfThenElse(hn::Lt(u, zero), set(4.0), zero), ratio);
+  const V ends = hn::Sub(hn::IfThenElse(hn::Lt(v, zero), set(6.0), set(2.0)), ratio);
+  return hn::IfThenElse(hn::Eq(denominator, zero), zero, hn::IfThenElse(sideways, side, ends));
+}
+
+V along(V begin, V t, V direction) { return hn::Add(begin, hn::Mul(t, direction)); }
+
+V value_of(const RectangleTerms&, const Here& here) {
+  const V u0 = here(0);
+  const V v0 = here(1);
+  const V w0 = here(2);
+  const V u1 = here(3);
+  const V v1 = here(4);
+  const V w1 = here(5);
+  const V zero = hn::Zero(kTag);
+  Part part{zero, set(1.0), hn::Eq(zero, zero)};
+  clip(hn::Sub(w0, u0), hn::Sub(w1, u1), part);
+  clip(hn::Add(w0, u0), hn::Add(w1, u1), part);
+  clip(hn::Sub(w0, v0), hn::Sub(w1, v1), part);
+  clip(hn::Add(w0, v0), hn::Add(w1, v1), part);
+  part.alive = hn::And(part.alive, hn::Lt(part.first, part.last));
+  const V du = hn::Sub(u1, u0);
+  const V dv = hn::Sub(v1, v0);
+  const V dw = hn::Sub(w1, w0);
+  const V pu = along(u0, part.first, du);
+  const V pv = along(v0, part.first, dv);
+  const V qu = along(u0, part.last, du);
+  const V qv = along(v0, part.last, dv);
+  const V w = hn::Mul(along(w0, part.first, dw), along(w0, part.last, dw));
+  part.alive = hn::And(part.alive, hn::Gt(w, zero));
+  V turn = hn::Sub(perimeter(qu, qv), perimeter(pu, pv));
+  turn = hn::IfThenElse(hn::Gt(turn, set(4.0)), hn::Sub(turn, set(8.0)), turn);
+  turn = hn::IfThenElse(hn::Lt(turn, set(-4.0)), hn::Add(turn, set(8.0)), turn);
+  const V cross = hn::Div(hn::Sub(hn::Mul(pu, qv), hn::Mul(pv, qu)), w);
+  return hn::IfThenElseZero(part.alive, hn::Mul(hn::Abs(hn::Sub(turn, cross)), set(0.125)));
+}
+
+V upper_angles(V y, V x) {
+  const V zero = hn::Zero(kTag);
+  const V ax = hn::Abs(x);
+  const M steep = hn::Lt(ax, y);
+  const V small = hn::IfThenElse(steep, ax, y);
+  const V large = hn::IfThenElse(steep, y, ax);
+  const M shift = hn::Gt(small, hn::Mul(set(kTanEighthPi), large));
+  const V r = hn::Div(hn::IfThenElse(shift, hn::Sub(small, large), small),
+                      hn::IfThenElse(shift, hn::Add(small, large), large));
+  const V w = hn::Mul(r, r);
+  V p = set(kAtanCoefficients.back());
+  for (std::size_t i = kAtanCoefficients.size() - 1; i-- > 0;) {
+    p = hn::Add(hn::Mul(p, w), set(kAtanCoefficients[i]));
+  }
+  V angle = hn::Add(hn::Mul(r, p), hn::IfThenElse(shift, set(kQuarterPi), zero));
+  angle = hn::IfThenElse(steep, hn::Sub(set(kHalfPi), angle), angle);
+  angle = hn::IfThenElse(hn::Lt(x, zero), hn::Sub(set(kPi), angle), angle);
+  return hn::IfThenElse(hn::Eq(large, zero), zero, angle);
+}
+
+struct Vector {
+  V x, y, z;
+};
+V dot(const Vector& a, const Vector& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+Vector broadcast(const glm::dvec3& v) { return {set(v.x), set(v.y), set(v.z)}; }
+Vector scale(V w, const Vector& a) { return {hn::Mul(w, a.x), hn::Mul(w, a.y), hn::Mul(w, a.z)}; }
+Vector minus(const Vector& a, const Vector& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+Vector along(const Vector& begin, V t, const Vector& direction) {
+  return {along(begin.x, t, direction.x), along(begin.y, t, direction.y),
+          along(begin.z, t, direction.z)};
+}
+
+V value_of(const SphereTerms& terms, const Here& here) {
+  const V zero = hn::Zero(kTag);
+  const Vector p{here(0), here(1), here(2)};
+  const V w = here(3);
+  const V pp = dot(p, p);
+  const V g = hn::Sub(pp, hn::Mul(w, w));
+  M alive = hn::Gt(g, zero);
+  const Vector v = minus(scale(w, broadcast(terms.begin)), p);
+  const Vector e = scale(w, broadcast(terms.edge));
+  const V vp = dot(v, p);
+  const V ep = dot(e, p);
+  const V a = hn::Sub(hn::Mul(ep, ep), hn::Mul(g, dot(e, e)));
+  const V b = hn::Sub(hn::Mul(vp, ep), hn::Mul(g, dot(v, e)));
+  const V c = hn::Sub(hn::Mul(vp, vp), hn::Mul(g, dot(v, v)));
+  const V discriminant = hn::Sub(hn::Mul(b, b), hn::Mul(a, c));
+  const M positive = hn::Gt(discriminant, zero);
+  const M crosses = hn::Lt(a, zero);
+  alive = hn::And(alive, hn::Or(positive, hn::Not(crosses)));
+  const V root = hn::Sqrt(hn::IfThenElseZero(positive, discriminant));
+  const V q = hn::IfThenElse(hn::Lt(b, zero), hn::Sub(root, b), hn::Neg(hn::Add(b, root)));
+  const V r0 = hn::Div(q, a);
+  const V r1 = hn::Div(c, q);
+  const M ordered = hn::Lt(r0, r1);
+  const V low = hn::IfThenElse(ordered, r0, r1);
+  const V high = hn::IfThenElse(ordered, r1, r0);
+  const M towards = hn::Lt(ep, zero);
+  const V enter = hn::IfThenElse(crosses, low, high);
+  const V leave = hn::IfThenElse(crosses, high, low);
+  const M enters = hn::And(hn::Or(crosses, towards), hn::Gt(enter, zero));
+  const M leaves = hn::And(hn::Or(crosses, hn::Not(towards)), hn::Lt(leave, set(1.0)));
+  const V first = hn::IfThenElse(enters, enter, zero);
+  const V last = hn::IfThenElse(leaves, leave, set(1.0));
+  const V axial0 = along(vp, first, ep);
+  const V axial1 = along(vp, last, ep);
+  alive = hn::And(alive, hn::Lt(first, last));
+  alive = hn::And(alive, hn::And(hn::Lt(axial0, zero), hn::Lt(axial1, zero)));
+  const V axial = hn::Div(hn::Mul(axial0, axial1), pp);
+  const V inline_part = hn::Sub(dot(along(v, first, e), along(v, last, e)), axial);
+  const V ww = hn::Mul(w, w);
+  const V triple = hn::Mul(hn::Mul(hn::Sub(last, first), ww), dot(p, broadcast(terms.normal)));
+  const V across = hn::Div(hn::Abs(triple), hn::Sqrt(pp));
+  const V cross = hn::Div(hn::Mul(across, g), hn::Mul(axial, ww));
+  const V area = hn::Sub(upper_angles(across, inline_part), cross);
+  return hn::IfThenElseZero(alive, hn::Mul(area, set(0.5 / kPi)));
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace wedgesim::model
+HWY_AFTER_NAMESPACE();
+
+#endif  // WEDGESIM_MODEL_COUNT_CONTRIBUTION_SIMD_H
