@@ -28,7 +28,8 @@ struct CountResult {
   ZMethod z = ZMethod::pass;  // config.z, resolved
   std::unique_ptr<Counters> counters;
   PixelCheck pixels;
-  /// Contributions that a wrong culling or acceptance lost or gained: 0 in a right block.
+  /// Contributions that a wrong culling, acceptance or skipped test lost or gained: 0 in a right
+  /// block.
   std::uint64_t wrong_contributions = 0;
   // Maps, (height, width); empty unless asked for.
   std::vector<std::uint32_t> z_reads;

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <tuple>
+#include <utility>
 
 #include "model/count/kernel.h"
 
@@ -33,49 +34,68 @@ HWY_INLINE Box box_of(const Block& block) {
   return {x, x + 8.0, y, y + 8.0, block.z_interval};
 }
 
-// Set bits where a plane's value is negative, in the rows of a block that hold a candidate; other
-// rows' bits are 0. No value is ever -0 (plane.h).
-HWY_INLINE std::uint64_t negative_bits(const Plane& plane, const Block& block,
-                                       std::uint64_t candidates) {
-  std::array<V, kGroups> ax;
-  for (std::size_t g = 0; g < kGroups; ++g) {
-    const V centre = hn::Add(hn::Iota(kTag, static_cast<double>(g * kLanes)), set(0.5));
-    ax[g] = hn::Mul(set(plane.a), hn::Add(set(block.bx * 8.0), centre));
-  }
-  const V c = set(plane.c);
-  const V d = set(plane.d);
+// Calls f(group) for the groups of lanes of a row, without a loop.
+template <typename F>
+HWY_INLINE void for_each_group(F&& f) {
+  [&]<std::size_t... kIndices>(std::index_sequence<kIndices...>) HWY_ATTR { (f(kIndices), ...); }
+  (std::make_index_sequence<kGroups>());
+}
+
+// The bits that of_row(row, depths) gives for the rows of a block that hold a candidate; other
+// rows' bits are 0.
+template <typename OfRow>
+HWY_INLINE std::uint64_t row_bits(const Block& block, std::uint64_t candidates, OfRow&& of_row) {
   std::uint64_t bits = 0;
   for (std::size_t row = 0; row < kBlock; ++row) {
     if ((candidates >> (kBlock * row) & 0xff) == 0) continue;
-    const V by = set(plane.b * (block.by * 8.0 + (static_cast<double>(row) + 0.5)));
-    for (std::size_t g = 0; g < kGroups; ++g) {
-      const std::size_t shift = kBlock * row + g * kLanes;
-      const V z = hn::LoadU(kTag, block.z + shift);
-      const V value = hn::Add(hn::Add(hn::Add(ax[g], by), hn::Mul(c, z)), d);
-      bits |= sign_bits(value) << shift;
-    }
+    bits |= of_row(row, block.z + kBlock * row) << (kBlock * row);
   }
   return bits;
 }
 
-struct IntervalBits {
-  std::uint64_t before = 0, beyond = 0;
-};
+// Set bits where a plane's value is negative. No value is ever -0 (plane.h).
+HWY_INLINE std::uint64_t negative_bits(const Plane& plane, const Block& block,
+                                       std::uint64_t candidates) {
+  std::array<V, kGroups> ax;
+  for_each_group([&](std::size_t g) HWY_ATTR {
+    const V centre = hn::Add(hn::Iota(kTag, static_cast<double>(g * kLanes)), set(0.5));
+    ax[g] = hn::Mul(set(plane.a), hn::Add(set(block.bx * 8.0), centre));
+  });
+  const V c = set(plane.c);
+  const V d = set(plane.d);
+  const double first_y = block.by * 8.0 + 0.5;
+  return row_bits(block, candidates, [&](std::size_t row, const double* depths) HWY_ATTR {
+    const V by = set(plane.b * (first_y + static_cast<double>(row)));
+    std::uint64_t bits = 0;
+    for_each_group([&](std::size_t g) HWY_ATTR {
+      const V z = hn::LoadU(kTag, depths + g * kLanes);
+      const V value = hn::Add(hn::Add(hn::Add(ax[g], by), hn::Mul(c, z)), d);
+      bits |= sign_bits(value) << (g * kLanes);
+    });
+    return bits;
+  });
+}
 
-// Set bits where z is outside an interval, in the rows of a block that hold a candidate.
-HWY_INLINE IntervalBits interval_bits(ZInterval interval, const Block& block,
-                                      std::uint64_t candidates) {
-  IntervalBits bits;
-  for (std::size_t row = 0; row < kBlock; ++row) {
-    if ((candidates >> (kBlock * row) & 0xff) == 0) continue;
-    for (std::size_t g = 0; g < kGroups; ++g) {
-      const std::size_t shift = kBlock * row + g * kLanes;
-      const V z = hn::LoadU(kTag, block.z + shift);
-      bits.before |= sign_bits(hn::Sub(z, set(interval.min))) << shift;
-      bits.beyond |= sign_bits(hn::Sub(set(interval.max), z)) << shift;
-    }
-  }
-  return bits;
+// Set bits where z is below a bound, or above it.
+HWY_INLINE std::uint64_t below_bits(double bound, const Block& block, std::uint64_t candidates) {
+  return row_bits(block, candidates, [&](std::size_t, const double* depths) HWY_ATTR {
+    std::uint64_t bits = 0;
+    for_each_group([&](std::size_t g) HWY_ATTR {
+      const V z = hn::LoadU(kTag, depths + g * kLanes);
+      bits |= sign_bits(hn::Sub(z, set(bound))) << (g * kLanes);
+    });
+    return bits;
+  });
+}
+HWY_INLINE std::uint64_t above_bits(double bound, const Block& block, std::uint64_t candidates) {
+  return row_bits(block, candidates, [&](std::size_t, const double* depths) HWY_ATTR {
+    std::uint64_t bits = 0;
+    for_each_group([&](std::size_t g) HWY_ATTR {
+      const V z = hn::LoadU(kTag, depths + g * kLanes);
+      bits |= sign_bits(hn::Sub(set(bound), z)) << (g * kLanes);
+    });
+    return bits;
+  });
 }
 
 // A wedge's planes side by side, to test a block's box against all of them at once. A plane that
@@ -147,10 +167,8 @@ void inside(const Primitive& wedge, std::span<const Block> blocks, const std::ui
     const auto [excluding, deciding] = tests.test(block);
     if (excluding != 0) continue;
     std::uint64_t left = candidates[i];
-    if (z.min < wedge.z.min || z.max > wedge.z.max) {
-      const IntervalBits bits = interval_bits(wedge.z, block, left);
-      left &= ~(bits.before | bits.beyond);
-    }
+    if (z.min < wedge.z.min) left &= ~below_bits(wedge.z.min, block, left);
+    if (z.max > wedge.z.max) left &= ~above_bits(wedge.z.max, block, left);
     for (std::uint64_t planes = deciding; planes != 0; planes &= planes - 1) {
       const Plane& plane = wedge.planes[static_cast<std::size_t>(std::countr_zero(planes))];
       const std::uint64_t negative = negative_bits(plane, block, left);
@@ -162,9 +180,11 @@ void inside(const Primitive& wedge, std::span<const Block> blocks, const std::ui
 
 UmbraBits umbra_bits(const Plane& plane, ZInterval interval, const Block& block,
                      std::uint64_t candidates) {
+  const ZInterval z = block.z_interval;
   const std::uint64_t negative = negative_bits(plane, block, candidates);
-  const IntervalBits bits = interval_bits(interval, block, candidates);
-  return {plane.minus ? negative : ~negative, bits.before, bits.beyond};
+  return {plane.minus ? negative : ~negative,
+          z.min < interval.min ? below_bits(interval.min, block, candidates) : 0,
+          z.max > interval.max ? above_bits(interval.max, block, candidates) : 0};
 }
 
 void umbra(const Plane& plane, ZInterval interval, std::span<const Block> blocks,

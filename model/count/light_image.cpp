@@ -17,6 +17,11 @@ void add_words(const std::int64_t* __restrict words, std::uint64_t set,
   }
 }
 
+// Has a block's sums brought to the cache while its words are computed.
+void fetch_early(const std::int64_t* sums) {
+  for (int row = 0; row < kBlock; ++row) __builtin_prefetch(sums + kBlock * row, 1);
+}
+
 }  // namespace
 
 void PixelCounters::add_high(std::size_t block, std::uint64_t set) {
@@ -57,6 +62,10 @@ void LightImage::add(const Primitive& primitive, const Footprint& footprint, con
     if (primitive.wedge && i % kChunk == 0) {
       lock = {};
       const std::size_t count = std::min(kChunk, blocks.size() - i);
+      for (std::size_t k = i; k < i + count; ++k) {
+        if (footprint.inside(k) == 0) continue;
+        fetch_early(&penumbra_[frame.block(blocks[k].bx, blocks[k].by) * kBlockPixels]);
+      }
       kernel.words(primitive.terms, one, blocks.subspan(i, count), footprint.inside_sets() + i,
                    footprint.negated_sets() + i, words.data());
     }

@@ -12,8 +12,8 @@
 
 namespace wedgesim::model {
 
-/// What a wrong culling or acceptance of one configuration does to one pixel: nothing is assumed
-/// of the tile tests, so a contribution that is lost is lost.
+/// What a wrong culling, acceptance or skipped inside test of one configuration does to one pixel:
+/// nothing is assumed of the tile tests, so a contribution that is lost is lost.
 struct Correction {
   std::size_t position = 0;  // in block order
   std::int64_t penumbra = 0;

@@ -32,9 +32,15 @@ TileTally::TileTally(std::span<ConfigRun* const> runs, const ZFrame& frame, ZMet
     : runs_(runs), frame_(frame), method_(method), one_(one), corrections_(runs.size()) {
   for (const ConfigRun* run : runs) {
     counters_.push_back(std::make_unique<Counters>());
-    needs_zmax_ = needs_zmax_ || run->config.cull == Cull::zmax;
-    needs_planes_ = needs_planes_ || is_planes_kind(run->config.cull);
-    needs_sat_ = needs_sat_ || run->config.cull == Cull::sat;
+    const CountConfig& config = run->config;
+    const bool two_or_more = config.cull == Cull::both || config.cull == Cull::sat;
+    needs_zmax_ = needs_zmax_ || config.cull == Cull::zmax;
+    needs_zrange_ = needs_zrange_ || config.cull == Cull::zrange || two_or_more;
+    needs_planes_ = needs_planes_ || is_planes_kind(config.cull);
+    needs_sat_ = needs_sat_ || config.cull == Cull::sat;
+    planes_first_ = planes_first_ || config.cull == Cull::planes;
+    needs_umbra_cull_ = needs_umbra_cull_ || config.umbra_cull == UmbraCull::zmax;
+    needs_accept_ = needs_accept_ || config.accept == Accept::zmin;
   }
 }
 
@@ -52,7 +58,8 @@ void TileTally::count_tile(std::uint32_t tx, std::uint32_t ty) {
   const TileDepths& tiles = *runs_.front()->tiles;
   tile_ = {};
   tile_.index = tiles.index(tx, ty);
-  tile_.pixels = tiles.pixels(tile_.index);
+  const Box box = tiles.box(tx, ty);
+  tile_.pixels = pixels_in(box);
   for (const TilePart& part : parts_) {
     for (std::size_t i = 0; i < primitive_->faces.size(); ++i) {
       if ((footprint_->face(part.block, i) & part.bits) != 0) tile_.faces |= std::uint64_t{1} << i;
@@ -62,7 +69,7 @@ void TileTally::count_tile(std::uint32_t tx, std::uint32_t ty) {
     tile_.umbra_beyond_faces =
         tile_.umbra_beyond_faces || (umbra & ~footprint_->outline(part.block)) != 0;
   }
-  test_tile(tiles.box(tx, ty));
+  test_tile(box);
   part_sets_.clear();
   outcomes_.clear();
   for (std::size_t i = 0; i < runs_.size(); ++i) count_run(i);
@@ -76,16 +83,19 @@ void TileTally::test_tile(const Box& box) {
         if (tile_test::culls_zmax(face, box, method_)) tile_.zmax |= std::uint64_t{1} << i;
       });
     }
-    tile_.zrange = tile_test::culls_zrange(*primitive_, box);
-    if (needs_planes_) {
+    if (needs_zrange_) tile_.zrange = tile_test::culls_zrange(*primitive_, box);
+    if (needs_planes_ && (!tile_.zrange || planes_first_)) {
       tile_.planes = tile_test::culls_planes(*primitive_, box);
       tile_.inside = !tile_.planes && tile_test::is_inside(*primitive_, box);
     }
-    if (needs_sat_) tile_.sat = tile_test::culls_sat(*primitive_, box);
+    if (needs_sat_ && !tile_.zrange && !tile_.planes) {
+      tile_.sat = tile_test::culls_sat(*primitive_, box);
+    }
   }
   if (tile_.umbra && !primitive_->polygon->cap) {
-    tile_.umbra_culled = tile_test::culls_umbra(*primitive_->polygon, box, method_);
-    tile_.umbra_accepted = tile_test::accepts_umbra(*primitive_->polygon, box, method_);
+    const RasterUmbra& polygon = *primitive_->polygon;
+    if (needs_umbra_cull_) tile_.umbra_culled = tile_test::culls_umbra(polygon, box, method_);
+    if (needs_accept_) tile_.umbra_accepted = tile_test::accepts_umbra(polygon, box, method_);
   }
 }
 
@@ -112,8 +122,9 @@ void TileTally::count_run(std::size_t index) {
   }
 
   const std::uint64_t surviving = survivors(config, counters);
-  if (is_planes_kind(config.cull) && tile_.inside) counters.tiles_inside += bit_count(surviving);
-  const Outcome& result = outcome(surviving, umbra_state(config, counters));
+  const bool untested = is_planes_kind(config.cull) && tile_.inside;
+  if (untested) counters.tiles_inside += bit_count(surviving);
+  const Outcome& result = outcome(surviving, umbra_state(config, counters), untested);
   counters.z_reads += shared ? result.shared_reads : result.reads + result.umbra_reads;
   const bool reads = result.reads > 0;
   const bool umbra_reads = result.umbra_reads > 0;
@@ -162,11 +173,15 @@ TileTally::UmbraState TileTally::umbra_state(const CountConfig& config, Counters
   return UmbraState::read;
 }
 
-const TileTally::Outcome& TileTally::outcome(std::uint64_t survivors, UmbraState umbra) {
+const TileTally::Outcome& TileTally::outcome(std::uint64_t survivors, UmbraState umbra,
+                                             bool untested) {
   for (const Outcome& known : outcomes_) {
-    if (known.survivors == survivors && known.umbra == umbra) return known;
+    if (known.survivors == survivors && known.umbra == umbra && known.untested == untested) {
+      return known;
+    }
   }
   Outcome result;
+  result.untested = untested;
   result.survivors = survivors;
   result.umbra = umbra;
   result.first_part = part_sets_.size();
@@ -176,7 +191,7 @@ const TileTally::Outcome& TileTally::outcome(std::uint64_t survivors, UmbraState
       sets.reads |= footprint_->face(part.block, static_cast<std::size_t>(i));
     });
     sets.reads &= part.bits;
-    sets.writes = sets.reads & footprint_->inside(part.block);
+    sets.writes = untested ? sets.reads : sets.reads & footprint_->inside(part.block);
     const std::uint64_t covered = footprint_->umbra(part.block) & part.bits;
     const std::uint64_t hits = footprint_->hits(part.block) & part.bits;
     if (umbra == UmbraState::read) sets.umbra_reads = covered;
@@ -219,11 +234,18 @@ void TileTally::touch(ConfigRun& run, const Outcome& outcome, bool shared) const
   }
 }
 
+// By the scalar functions: the footprint knows no sign of a pixel outside the wedge.
 std::int64_t TileTally::signed_word(std::size_t block, int bit) const {
   const Block& at = footprint_->blocks()[block];
-  const std::int64_t word = to_word(
-      contribution(primitive_->terms, centre_x(at, bit), centre_y(at, bit), at.z[bit]), one_);
-  return (footprint_->negated(block) >> bit & 1) != 0 ? -word : word;
+  const double x = centre_x(at, bit);
+  const double y = centre_y(at, bit);
+  const double z = at.z[bit];
+  const std::int64_t word = to_word(contribution(primitive_->terms, x, y, z), one_);
+  if (!primitive_->coverage) return word;
+  const bool covered = (footprint_->umbra(block) >> bit & 1) != 0;
+  const bool inner = primitive_->polygon ? is_inner(*primitive_->polygon, covered, x, y, z)
+                                         : primitive_->inner.inside(x, y, z);
+  return inner ? word : -word;
 }
 
 void TileTally::correct(std::size_t run, const Outcome& outcome) {
@@ -232,10 +254,11 @@ void TileTally::correct(std::size_t run, const Outcome& outcome) {
     const PartSets& sets = part_sets_[outcome.first_part + k];
     const Block& at = footprint_->blocks()[part.block];
     const std::size_t first = frame_.block(at.bx, at.by) * kBlockPixels;
-    const std::uint64_t inside = footprint_->inside(part.block);
-    for_each_bit(inside & part.bits & ~sets.writes, [&](int bit) {
+    const std::uint64_t inside = footprint_->inside(part.block) & part.bits;
+    for_each_bit(inside ^ sets.writes, [&](int bit) {
       const std::int64_t word = signed_word(part.block, bit);
-      corrections_[run].push_back({first + static_cast<std::size_t>(bit), -word, 0});
+      const bool lost = (inside >> bit & 1) != 0;
+      corrections_[run].push_back({first + static_cast<std::size_t>(bit), lost ? -word : word, 0});
     });
     const std::uint64_t hits = footprint_->hits(part.block) & part.bits;
     if (hits == sets.umbra_writes) continue;

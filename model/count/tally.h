@@ -57,13 +57,14 @@ class TileTally {
   struct PartSets {
     std::uint64_t reads;         // P
     std::uint64_t umbra_reads;   // Q
-    std::uint64_t writes;        // inside, of P
+    std::uint64_t writes;        // of P: inside, or untested
     std::uint64_t umbra_writes;  // hit, or accepted
   };
   /// One outcome of the tests in a tile; many configurations have the same.
   struct Outcome {
     std::uint64_t survivors = 0;  // faces
     UmbraState umbra = UmbraState::absent;
+    bool untested = false;       // the faces' pixels skip their inside tests
     std::size_t first_part = 0;  // in part_sets_
     std::uint64_t reads = 0, umbra_reads = 0, shared_reads = 0;
     std::uint64_t writes = 0, umbra_writes = 0, shared_writes = 0;
@@ -86,7 +87,7 @@ class TileTally {
   void count_run(std::size_t run);
   std::uint64_t survivors(const CountConfig& config, Counters& counters) const;
   UmbraState umbra_state(const CountConfig& config, Counters& counters) const;
-  const Outcome& outcome(std::uint64_t survivors, UmbraState umbra);
+  const Outcome& outcome(std::uint64_t survivors, UmbraState umbra, bool untested);
   void touch(ConfigRun& run, const Outcome& outcome, bool shared) const;
   std::int64_t signed_word(std::size_t block, int bit) const;
   void correct(std::size_t run, const Outcome& outcome);
@@ -95,7 +96,10 @@ class TileTally {
   const ZFrame& frame_;
   ZMethod method_;
   double one_;
-  bool needs_zmax_ = false, needs_planes_ = false, needs_sat_ = false;
+  // Tests that some configuration enables; no other is run.
+  bool needs_zmax_ = false, needs_zrange_ = false, needs_planes_ = false, needs_sat_ = false;
+  bool planes_first_ = false;  // a configuration tests planes without zrange before
+  bool needs_umbra_cull_ = false, needs_accept_ = false;
   std::vector<std::unique_ptr<Counters>> counters_;
   std::vector<std::vector<Correction>> corrections_;
   const Primitive* primitive_ = nullptr;

@@ -65,10 +65,4 @@ Box TileDepths::box(std::uint32_t tx, std::uint32_t ty) const {
           intervals_[index(tx, ty)]};
 }
 
-std::uint64_t TileDepths::pixels(std::size_t index) const {
-  const Box edges = box(static_cast<std::uint32_t>(index % tiles_x_),
-                        static_cast<std::uint32_t>(index / tiles_x_));
-  return static_cast<std::uint64_t>((edges.x1 - edges.x0) * (edges.y1 - edges.y0));
-}
-
 }  // namespace wedgesim::model

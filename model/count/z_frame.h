@@ -50,6 +50,11 @@ class ZFrame {
   std::vector<ZInterval> intervals_;
 };
 
+/// Pixels in a tile's box.
+inline std::uint64_t pixels_in(const Box& box) {
+  return static_cast<std::uint64_t>((box.x1 - box.x0) * (box.y1 - box.y0));
+}
+
 /// zmin and zmax of every tile of one size, sky pixels included.
 class TileDepths {
  public:
@@ -63,7 +68,10 @@ class TileDepths {
   /// Full pixel edges clipped to the frame, and the interval of the stored depths.
   Box box(std::uint32_t tx, std::uint32_t ty) const;
   /// Pixels of the frame in a tile.
-  std::uint64_t pixels(std::size_t index) const;
+  std::uint64_t pixels(std::size_t index) const {
+    return pixels_in(box(static_cast<std::uint32_t>(index % tiles_x_),
+                         static_cast<std::uint32_t>(index / tiles_x_)));
+  }
 
  private:
   int width_, height_;
