@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/temporaries.h"
 
 namespace wedgesim {
 namespace fs = std::filesystem;
@@ -33,8 +34,17 @@ void copy_into(const fs::path& from, const fs::path& path) {
 
 }  // namespace
 
+void require_not_read(const fs::path& output, std::span<const fs::path> inputs) {
+  for (const fs::path& input : inputs) {
+    std::error_code error;  // what is not there is not the same
+    if (!fs::equivalent(output, input, error) || error) continue;
+    throw InputError(output.string(), "is read, too: it would be written over", "another file");
+  }
+}
+
 void write_atomically(const fs::path& path,
                       const std::function<void(const fs::path& temporary)>& write) {
+  if (!path.has_filename()) throw InputError(path.string(), "is no file name", "a file name");
   const bool into = is_written_into(path);
   std::error_code error;
   const fs::path folder = into                     ? fs::temp_directory_path()
@@ -50,6 +60,7 @@ void write_atomically(const fs::path& path,
   // The extension stays, because image writers choose the format by it.
   const fs::path temporary =
       folder / fmt::format(".{}.{}{}", path.stem().string(), getpid(), path.extension().string());
+  const RemovedOnSignal removed(temporary);
   try {
     write(temporary);
     if (into) {

@@ -8,6 +8,11 @@
 
 namespace wedgesim {
 
+/// Refuses to write over what is read: by the same name, another one, or a link.
+/// \throws InputError if `output` is one of the files `inputs`
+void require_not_read(const std::filesystem::path& output,
+                      std::span<const std::filesystem::path> inputs);
+
 /// Writes a file whole or not at all: `write` gets a temporary path in the same folder, which is
 /// renamed to `path` when it returns and removed when it throws. Makes missing folders. A device,
 /// pipe or symbolic link is not replaced: the finished bytes are copied into it.

@@ -22,8 +22,9 @@ void write_image(const std::filesystem::path& path, const Image& image,
     const auto out = OIIO::ImageOutput::create(temporary.string());
     if (!out || !out->open(temporary.string(), spec) ||
         !out->write_image(OIIO::TypeDesc::FLOAT, image.values.data()) || !out->close()) {
-      throw InputError(path.string(), out ? out->geterror() : OIIO::geterror(),
-                       "a writable image file");
+      // OpenImageIO's own words name the temporary file; unread they would be printed at the end.
+      static_cast<void>(out ? out->geterror() : OIIO::geterror());
+      throw InputError(path.string(), "cannot be written", "a writable folder with room");
     }
   });
 }

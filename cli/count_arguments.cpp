@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "cli/parse.h"
 #include "reports/sweep.h"
 
@@ -9,21 +12,17 @@ namespace wedgesim::cli {
 namespace {
 
 template <typename E>
-std::vector<E> parse_set(std::string_view option, const std::string& text) {
-  std::vector<E> values;
-  for (const std::string& part : parse_list(option, text)) {
-    values.push_back(model::parse<E>(option, part));
-  }
-  return values;
+std::vector<E> parse_choices(std::string_view option, std::string_view text) {
+  return parse_set(option, text,
+                   [option](std::string_view part) { return model::parse<E>(option, part); });
 }
 
-std::vector<unsigned> parse_tiles(const std::string& text) {
+std::vector<unsigned> parse_tiles(std::string_view text) {
   if (text == "all") return reports::all_tiles();
-  std::vector<unsigned> tiles;
-  for (const std::string& part : parse_list("--tile", text)) {
-    tiles.push_back(model::parse_tile("--tile", part));
-  }
-  return tiles;
+  return parse_set("--tile", text, [](std::string_view part) {
+    if (part == "all") throw InputError("--tile", "'all' stands beside other values", "it alone");
+    return model::parse_tile("--tile", part);
+  });
 }
 
 }  // namespace
@@ -48,12 +47,12 @@ void CountArguments::add_to(CLI::App& app) {
 
 std::vector<model::CountConfig> CountArguments::configs() const {
   reports::Sweep sweep;
-  sweep.modes = parse_set<model::Mode>("--mode", mode);
+  sweep.modes = parse_choices<model::Mode>("--mode", mode);
   sweep.tiles = parse_tiles(tile);
-  sweep.culls = parse_set<model::Cull>("--cull", cull);
-  sweep.umbra_culls = parse_set<model::UmbraCull>("--umbra-cull", umbra_cull);
-  sweep.accepts = parse_set<model::Accept>("--accept", accept);
-  sweep.shares = parse_set<model::Share>("--share", share);
+  sweep.culls = parse_choices<model::Cull>("--cull", cull);
+  sweep.umbra_culls = parse_choices<model::UmbraCull>("--umbra-cull", umbra_cull);
+  sweep.accepts = parse_choices<model::Accept>("--accept", accept);
+  sweep.shares = parse_choices<model::Share>("--share", share);
   sweep.z = model::parse<model::ZChoice>("--z", z);
   sweep.tile_build = model::parse<model::TileBuild>("--tile-build", tile_build);
   return sweep.configs();
@@ -61,11 +60,14 @@ std::vector<model::CountConfig> CountArguments::configs() const {
 
 model::CountConfig CountArguments::single_config() const {
   const std::vector<model::CountConfig> all = configs();
-  if (all.size() != 1) {
-    throw InputError("configuration", fmt::format("{} are given", all.size()),
-                     "one value of each option");
-  }
-  return all.front();
+  if (all.size() == 1) return all.front();
+  const std::pair<std::string_view, std::string_view> sets[] = {
+      {"--mode", mode},     {"--cull", cull},   {"--umbra-cull", umbra_cull},
+      {"--accept", accept}, {"--share", share}, {"--tile", tile}};
+  const auto* several = std::ranges::find_if(
+      sets, [](const auto& set) { return set.second.find(',') != std::string_view::npos; });
+  const auto& [option, text] = several == std::end(sets) ? sets[5] : *several;  // --tile all
+  throw InputError(option, fmt::format("'{}' is more than one value", text), "one value");
 }
 
 }  // namespace wedgesim::cli

@@ -1,5 +1,6 @@
 #include "traces/dump.h"
 
+#include <array>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -22,6 +23,7 @@ int run(const Arguments& arguments) {
     traces::dump_json(std::cout, trace.view());
     return 0;
   }
+  require_not_read(arguments.obj, std::array{std::filesystem::path(arguments.file)});
   write_atomically(arguments.obj, [&](const std::filesystem::path& temporary) {
     std::ofstream out(temporary);
     traces::dump_obj(out, trace.view());

@@ -1,13 +1,14 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <iostream>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "base/temporaries.h"
 #include "cli/command.h"
+#include "cli/print.h"
 
 namespace wedgesim::cli {
 namespace {
@@ -57,6 +58,14 @@ void reject_unknown(const CLI::App& app) {
   throw InputError(place, "one argument too many", "what --help lists");
 }
 
+void reject_empty(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (value.empty()) throw InputError(option->get_name(), "is empty", "a value");
+    }
+  }
+}
+
 int run(CLI::App& program, int argc, char** argv) {
   const std::vector<Command> commands = add_commands(program);
   program.parse(argc, argv);
@@ -64,10 +73,9 @@ int run(CLI::App& program, int argc, char** argv) {
   for (const Command& command : commands) {
     if (!command.app->parsed()) continue;
     reject_unknown(*command.app);
+    reject_empty(*command.app);
     const int code = command.run();
-    if (std::fflush(stdout) != 0 || !std::cout.flush()) {
-      throw InputError("standard output", "cannot be written", "room for what is printed");
-    }
+    finish_printing();
     return code;
   }
   throw InputError("wedgesim", "no command given", "one of " + names_of(program));
@@ -84,12 +92,15 @@ std::string message_of(const CLI::ParseError& error, const CLI::App& program) {
   } else if (error.get_name() == "ArgumentMismatch") {
     problem = problem.substr(0, problem.find(':')) + ": without a value, or more than once";
     expected = "one value";
+  } else if (error.get_name() == "ConversionError") {  // all options are texts: a flag has a value
+    problem = problem.substr(problem.find(": ") + 2) + ": it takes no value";
+    expected = "the option alone";
   }
   return InputError(command, problem, expected).what();
 }
 
 int report(int code, std::string_view message) {
-  fmt::print(stderr, "{}\n", message);
+  print_note(message);
   return code;
 }
 
@@ -98,9 +109,13 @@ int run_reporting(int argc, char** argv) {
   CLI::App program("Simulates a GPU block that rasterizes penumbra wedges", "wedgesim");
   program.footer("Example:\n  wedgesim study paper2\nwedgesim COMMAND --help says more.");
   try {
-    return run(program, argc, argv);
-  } catch (const CLI::Success& wish) {  // --help
-    return program.exit(wish);
+    try {
+      return run(program, argc, argv);
+    } catch (const CLI::Success& wish) {  // --help
+      const int code = program.exit(wish);
+      finish_printing();
+      return code;
+    }
   } catch (const CLI::ParseError& error) {
     return report(kBadInput, message_of(error, program));
   } catch (const InputError& error) {
@@ -117,6 +132,7 @@ int run_reporting(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    wedgesim::remove_temporaries_on_signal();
     return wedgesim::cli::run_reporting(argc, argv);
   } catch (...) {  // what cannot even be told
     std::fputs("internal error\n", stderr);

@@ -1,7 +1,6 @@
 #include "cli/parse.h"
 
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -42,10 +41,11 @@ int parse_integer(std::string_view option, std::string_view text, int low, int h
   return *value;
 }
 
-double parse_positive(std::string_view option, std::string_view text) {
+double parse_number(std::string_view option, std::string_view text, double low, double high) {
   const auto value = number_of<double>(text);
-  if (!value || !std::isfinite(*value) || *value <= 0.0) {
-    throw InputError(option, fmt::format("'{}' is not allowed", text), "a number above 0");
+  if (!value || !(*value >= low && *value <= high)) {
+    throw InputError(option, fmt::format("'{}' is not allowed", text),
+                     fmt::format("a number from {:g} to {:g}", low, high));
   }
   return *value;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -17,8 +18,8 @@ namespace wedgesim::cli {
 /// A whole number from `low` to `high`.
 int parse_integer(std::string_view option, std::string_view text, int low, int high);
 
-/// A finite number above 0.
-double parse_positive(std::string_view option, std::string_view text);
+/// A number from `low` to `high`.
+double parse_number(std::string_view option, std::string_view text, double low, double high);
 
 /// "640x427": two whole numbers from 1 to 16384, pixels.
 std::pair<int, int> parse_size(std::string_view option, std::string_view text);
@@ -28,6 +29,20 @@ std::pair<int, int> parse_point(std::string_view option, std::string_view text);
 
 /// "a,b,c": the parts between commas, none empty.
 std::vector<std::string> parse_list(std::string_view option, std::string_view text);
+
+/// The same, each part parsed: a set, in which no value may stand twice.
+template <typename ParseOne>
+auto parse_set(std::string_view option, std::string_view text, ParseOne parse_one) {
+  std::vector<decltype(parse_one(std::string_view()))> values;
+  for (const std::string& part : parse_list(option, text)) {
+    const auto value = parse_one(part);
+    if (std::ranges::find(values, value) != values.end()) {
+      throw InputError(option, fmt::format("'{}' is given twice", part), "each value once");
+    }
+    values.push_back(value);
+  }
+  return values;
+}
 
 template <typename Value>
 using Choices = std::initializer_list<std::pair<std::string_view, Value>>;

@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "cli/print.h"
+
 namespace wedgesim::cli {
 
 namespace {
@@ -19,7 +21,7 @@ Progress::~Progress() {
 
 void Progress::show(std::string_view what) {
   if (!terminal_) return;
-  fmt::print(stderr, "{}{} ...", kClearLine, what);
+  fmt::print(stderr, "{}{} ...", kClearLine, escaped(what));
   std::fflush(stderr);
 }
 

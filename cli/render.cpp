@@ -29,7 +29,7 @@ int run(const Arguments& arguments) {
   reports::require_image_name(arguments.image);
   Progress progress;
   progress.show("reading " + arguments.scene.scene);
-  const functional::Scene scene = arguments.scene.load();
+  const functional::Scene scene = arguments.scene.load(arguments.image);
   progress.show("rendering " + scene.name);
   const functional::View view = functional::render_view(scene, method, samples);
   if (arguments.visibility) {

@@ -1,9 +1,10 @@
 #include "cli/scene_arguments.h"
 
-#include <cstdio>
 #include <limits>
 
+#include "base/file.h"
 #include "cli/parse.h"
+#include "cli/print.h"
 
 namespace wedgesim::cli {
 
@@ -21,7 +22,7 @@ void SceneArguments::add_to(CLI::App& app) {
   app.add_option("--light", light, "Turn the light into this shape")->type_name("rect|sphere");
 }
 
-functional::Scene SceneArguments::load() const {
+functional::Scene SceneArguments::load(const std::filesystem::path& output) const {
   functional::SceneOptions options;
   if (!size.empty()) options.size = parse_size("--size", size);
   options.frame = parse_integer("--frame", frame, 0, std::numeric_limits<int>::max());
@@ -34,7 +35,8 @@ functional::Scene SceneArguments::load() const {
   }
   std::vector<std::string> notes;
   functional::Scene loaded = functional::load_scene(scene, options, &notes);
-  for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
+  for (const std::string& note : notes) print_note(note);
+  require_not_read(output, loaded.files);
   return loaded;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 
 #include "functional/scene/scene_file.h"
@@ -14,8 +15,10 @@ struct SceneArguments {
 
   void add_to(CLI::App& app);
   /// Loads the scene; what a repair did is said on standard error.
-  /// \throws InputError for anything wrong with the options or the scene
-  functional::Scene load() const;
+  /// \param output  what will be written
+  /// \throws InputError for anything wrong with the options or the scene, or if the scene is read
+  ///         from `output`
+  functional::Scene load(const std::filesystem::path& output) const;
 };
 
 }  // namespace wedgesim::cli

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/command.h"
+#include "cli/print.h"
 #include "functional/scene/scene_file.h"
 
 namespace wedgesim::cli {
@@ -13,8 +14,8 @@ int run() {
   std::size_t width = 0;
   for (const auto& scene : scenes) width = std::max(width, scene.name.size());
   for (const auto& scene : scenes) {
-    fmt::print("{:<{}}  {} ({} frame{})\n", scene.name, width, scene.description, scene.frames,
-               scene.frames == 1 ? "" : "s");
+    print(fmt::format("{:<{}}  {} ({} frame{})\n", scene.name, width, scene.description,
+                      scene.frames, scene.frames == 1 ? "" : "s"));
   }
   return 0;
 }

@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/parse.h"
+#include "cli/print.h"
 #include "cli/progress.h"
 #include "reports/study_text.h"
 
@@ -27,10 +28,10 @@ int run(const Arguments& arguments) {
     results = reports::run_study(study, folder,
                                  [&progress](std::string_view what) { progress.show(what); });
   }
-  fmt::print("{}\nThese tables, results.csv, results.json, traces and pictures are in {}/\n",
-             reports::study_text(results), folder);
+  print(fmt::format("{}\nThese tables, results.csv, results.json, traces and pictures are in {}/\n",
+                    reports::study_text(results), folder));
   for (const reports::SceneResults& scene : results.scenes) {
-    if (!scene.failure.empty()) throw InputError(scene.scene, "left out: " + scene.failure);
+    if (!scene.failure.empty()) throw InputError("left out", scene.failure);
   }
   return reports::held(results) ? 0 : 1;
 }

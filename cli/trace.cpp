@@ -1,9 +1,9 @@
-#include <fmt/format.h>
-
 #include <memory>
 
+#include "base/toml_table.h"
 #include "cli/command.h"
 #include "cli/parse.h"
+#include "cli/print.h"
 #include "cli/progress.h"
 #include "cli/scene_arguments.h"
 #include "functional/methods/frame.h"
@@ -31,7 +31,10 @@ functional::FrameOptions frame_options(const Arguments& arguments) {
                                      {"float32", fb::DepthFormat_float32},
                                      {"unorm16", fb::DepthFormat_unorm16},
                                      {"float32_reversed", fb::DepthFormat_float32_reversed}});
-  if (arguments.length != "auto") options.length = parse_positive("--length", arguments.length);
+  if (arguments.length != "auto") {
+    constexpr auto kSize = Range::size();
+    options.length = parse_number("--length", arguments.length, kSize.low, kSize.high);
+  }
   return options;
 }
 
@@ -39,12 +42,13 @@ int run(const Arguments& arguments) {
   const functional::FrameOptions options = frame_options(arguments);
   Progress progress;
   progress.show("reading " + arguments.scene.scene);
-  const functional::Scene scene = arguments.scene.load();
+  const functional::Scene scene = arguments.scene.load(arguments.file);
+  traces::require_room(scene.place, scene.width, scene.height);
   progress.show("rendering " + scene.name);
   functional::Frame frame = functional::make_frame(scene, options);
   progress.show("writing " + arguments.file);
   frame.trace.header.checksum = traces::write_trace(arguments.file, frame.trace);
-  fmt::print("{}", traces::summary(frame.trace.view()));
+  print(traces::summary(frame.trace.view()));
   return 0;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <iterator>
+#include <map>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -12,6 +14,7 @@
 #include "functional/methods/render.h"
 #include "functional/scene/scene_file.h"
 #include "reports/count_text.h"
+#include "reports/map_files.h"
 #include "reports/picture.h"
 #include "reports/study_files.h"
 #include "reports/study_text.h"
@@ -22,6 +25,9 @@ namespace wedgesim::reports {
 namespace {
 
 constexpr model::LiFormat kFormat = model::LiFormat::exact;
+constexpr const char* kCsv = "results.csv";
+constexpr const char* kJson = "results.json";
+constexpr const char* kText = "summary.txt";
 
 class SceneRun {
  public:
@@ -40,6 +46,7 @@ class SceneRun {
       functional::SceneOptions options;
       options.size = study_.size;
       scene = functional::load_scene(name, options);
+      traces::require_room(scene.place, scene.width, scene.height);
       frame = functional::make_frame(scene);
     } catch (const InputError& error) {
       found.failure = error.what();
@@ -80,17 +87,42 @@ class SceneRun {
   const std::function<void(std::string_view)>& progress_;
 };
 
+// What a study writes into its folder for one scene.
+std::vector<std::filesystem::path> scene_files(const std::string& prefix) {
+  std::vector<std::filesystem::path> files = map_files(prefix);
+  for (const char* rest : {".wtrace", "_shaded.png", "_shaded.exr"})
+    files.emplace_back(prefix + rest);
+  return files;
+}
+
+void check_scenes(const Study& study, const std::filesystem::path& folder) {
+  std::map<std::string, std::string> scenes;  // by name
+  std::vector<std::filesystem::path> outputs{folder, folder / kCsv, folder / kJson, folder / kText};
+  for (const std::string& scene : study.scenes) {
+    const std::string name = functional::scene_name(scene);
+    const auto [first, is_new] = scenes.try_emplace(name, scene);
+    if (!is_new) {
+      throw InputError(scene, fmt::format("writes the same files as {}", first->second),
+                       "scenes of different names");
+    }
+    std::ranges::move(scene_files((folder / name).string()), std::back_inserter(outputs));
+  }
+  const std::vector<std::filesystem::path> inputs(study.scenes.begin(), study.scenes.end());
+  for (const std::filesystem::path& output : outputs) require_not_read(output, inputs);
+}
+
 }  // namespace
 
 StudyResults run_study(const Study& study, const std::filesystem::path& folder,
                        const std::function<void(std::string_view)>& progress) {
+  check_scenes(study, folder);
   StudyResults results;
   results.study = study;
   SceneRun scene_run(study, folder, progress);
   for (const std::string& scene : study.scenes) results.scenes.push_back(scene_run.run(scene));
-  write_file(folder / "results.csv", study_csv(results));
-  write_json(folder / "results.json", study_json(results));
-  write_file(folder / "summary.txt", study_text(results));
+  write_file(folder / kCsv, study_csv(results));
+  write_json(folder / kJson, study_json(results));
+  write_file(folder / kText, study_text(results));
   return results;
 }
 

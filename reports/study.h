@@ -46,7 +46,8 @@ struct StudyResults {
 /// SCENE.wtrace, SCENE_shaded and the maps (maps.h) as .png and .exr; at the end results.csv,
 /// results.json and summary.txt. A scene that cannot be loaded is left out and says why.
 /// \param progress  told what is being done
-/// \throws InputError if a file cannot be written
+/// \throws InputError before any work if a scene is not there, if two have the same name, or if one
+///         is read from a file that would be written; later if a file cannot be written
 StudyResults run_study(const Study& study, const std::filesystem::path& folder,
                        const std::function<void(std::string_view)>& progress);
 

@@ -6,18 +6,27 @@
 namespace wedgesim::reports {
 namespace {
 
+// As RFC 4180 has it: quoted where it must be, quotes doubled.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
 void append_line(std::string& text, const SceneResults& scene, const model::CountResult& result) {
   const model::CountConfig& config = result.config;
   text +=
-      fmt::format("{},{:016x},{},{},{},{},{},{},{},{}", scene.trace.name, scene.trace.checksum,
-                  spelling(config.mode), config.tile, spelling(config.cull),
+      fmt::format("{},{:016x},{},{},{},{},{},{},{},{}", csv_field(scene.trace.name),
+                  scene.trace.checksum, spelling(config.mode), config.tile, spelling(config.cull),
                   spelling(config.umbra_cull), spelling(config.accept), spelling(config.share),
                   result.z == model::ZMethod::pass ? "pass" : "fail", spelling(config.tile_build));
   for (const Counter* counter : result.counters->counters()) {
     text += fmt::format(",{}", counter->value());
   }
-  text += fmt::format(",{},{},{},{},{}\n", result.pixels.compared, result.pixels.max_error,
-                      result.pixels.rms_error, result.pixels.mismatched, result.pixels.tolerance);
+  text += fmt::format(",{},{},{},{},{},{}\n", result.pixels.compared, result.pixels.max_error,
+                      result.pixels.rms_error, result.pixels.mismatched, result.pixels.tolerance,
+                      result.wrong_contributions);
 }
 
 Json scene_json(const SceneResults& scene) {
@@ -40,7 +49,7 @@ std::string study_csv(const StudyResults& results) {
   for (const Counter* counter : registry.counters()) {
     text += fmt::format(",{}", counter->name());
   }
-  text += ",compared,max_error,rms_error,mismatched,tolerance\n";
+  text += ",compared,max_error,rms_error,mismatched,tolerance,wrong_contributions\n";
   for (const SceneResults& scene : results.scenes) {
     for (const model::CountResult& result : scene.results) append_line(text, scene, result);
   }

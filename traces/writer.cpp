@@ -99,6 +99,16 @@ void build(FlatBufferBuilder& builder, const TraceView& trace) {
 
 }  // namespace
 
+void require_room(std::string_view place, int width, int height) {
+  constexpr std::uint64_t kBytes = sizeof(TraceView::depth[0]) + sizeof(TraceView::expected_li[0]) +
+                                   sizeof(TraceView::li_sensitivity[0]);
+  constexpr std::uint64_t kMost = kMaxPayloadBytes / kBytes;
+  if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > kMost) {
+    throw InputError(place, fmt::format("{}x{} pixels pass a trace's 2 GB", width, height),
+                     fmt::format("at most {} pixels", kMost));
+  }
+}
+
 std::uint64_t write_trace(const std::filesystem::path& path, const Trace& trace) {
   return write_trace(path, trace.view());
 }

@@ -58,7 +58,7 @@ void fill_header(const Scene& scene, const Window& window, const FrameOptions& o
 
 Frame make_frame(const Scene& scene, const FrameOptions& options) {
   if (scene.light.shape != LightShape::point && !has_extent(scene.light)) {
-    throw InputError(scene.name, "the light has no extent", "a point light");
+    throw InputError(scene.place, "the light has no extent", "a point light");
   }
   Frame frame;
   frame.window = make_window(scene.camera, scene.width, scene.height);
@@ -72,7 +72,7 @@ Frame make_frame(const Scene& scene, const FrameOptions& options) {
   const fb::ZMethod method =
       options.z_method.value_or(needs_fail ? fb::ZMethod_fail : fb::ZMethod_pass);
   if (needs_fail && method == fb::ZMethod_pass) {
-    throw InputError(scene.name, "z-pass is wrong where a shadow volume meets the near pyramid",
+    throw InputError(scene.place, "z-pass is wrong where a shadow volume meets the near pyramid",
                      "z-fail or auto");
   }
   frame.trace.header.expected_z_method = method;

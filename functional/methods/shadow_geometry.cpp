@@ -247,7 +247,12 @@ ShadowGeometry build_shadow_geometry(const Scene& scene, const Window& window, f
                                      std::optional<double> length, traces::Trace& trace) {
   Builder builder(scene, window, kind, length, trace);
   for (const Object& object : scene.objects) {
-    if (object.casts) builder.add_caster(object.mesh);
+    if (!object.casts) continue;
+    try {
+      builder.add_caster(object.mesh);
+    } catch (const InputError& error) {
+      throw InputError(scene.place, error.what());
+    }
   }
   return builder.take();
 }

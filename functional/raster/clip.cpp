@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/check.h"
+
 namespace wedgesim::functional {
 namespace {
 
@@ -68,6 +70,8 @@ std::vector<WindowPoint> clip_to_window(const Window& window, std::span<const gl
 }
 
 SnappedPoint snap(const WindowPoint& point) {
+  // Clipping leaves nothing beyond the guard band but what is not a number.
+  CHECK_LE(std::abs(point.x) + std::abs(point.y), 4.0 * kGuardHigh);
   return {static_cast<std::int32_t>(std::nearbyint(point.x * 256.0)),
           static_cast<std::int32_t>(std::nearbyint(point.y * 256.0)), point.z};
 }

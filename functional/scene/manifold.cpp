@@ -38,6 +38,17 @@ std::vector<Use> edge_uses(const Mesh& mesh) {
   return uses;
 }
 
+/// No triangle is wider than a millionth of its length: below the precision of a mesh file.
+bool has_no_area(const Mesh& mesh) {
+  return std::ranges::all_of(mesh.triangles, [&mesh](const auto& t) {
+    const glm::dvec3 ab = mesh.positions[t[1]] - mesh.positions[t[0]];
+    const glm::dvec3 ac = mesh.positions[t[2]] - mesh.positions[t[0]];
+    const glm::dvec3 bc = ac - ab;
+    const double longest = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
+    return glm::length(glm::cross(ab, ac)) <= 1e-6 * longest;
+  });
+}
+
 /// A sheet of no volume is not inside out, whatever its rounding.
 bool is_inside_out(const Mesh& mesh) {
   const auto [low, high] = bounds_of(mesh);
@@ -85,6 +96,10 @@ double signed_volume(const Mesh& mesh) {
 bool is_sound(const Mesh& mesh) { return examine(mesh).closed() && !is_inside_out(mesh); }
 
 void require_closed(const Mesh& mesh, const std::string& place, const std::string& remark) {
+  if (has_no_area(mesh)) {
+    throw InputError(place, fmt::format("mesh '{}' has no area{}", mesh.name, remark),
+                     "a triangle whose corners are not on one line");
+  }
   const ManifoldReport report = examine(mesh);
   if (!report.closed()) {
     const glm::dvec3 at = *report.first_bad;

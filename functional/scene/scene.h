@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -53,6 +54,8 @@ struct Camera {
 /// One frame: everything the renderer needs.
 struct Scene {
   std::string name;
+  std::string place = "scene";               // its file, as errors name it
+  std::vector<std::filesystem::path> files;  // that it was read from; none of a built-in scene
   std::string description;
   int frame = 0;   // of the camera path
   int frames = 1;  // how many frames the camera path has

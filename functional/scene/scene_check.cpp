@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/toml_table.h"
 #include "functional/scene/manifold.h"
 #include "functional/scene/transform.h"
 
@@ -27,12 +28,14 @@ void check_mesh(const Mesh& mesh, const std::string& place) {
   if (mesh.triangles.empty()) {
     throw InputError(place, fmt::format("mesh '{}' is empty", mesh.name), "at least one triangle");
   }
-  for (const glm::dvec3& p : mesh.positions) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-      throw InputError(place,
-                       fmt::format("mesh '{}' has a coordinate that is not finite", mesh.name),
-                       "finite numbers");
-    }
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const glm::dvec3& p = mesh.positions[i];
+    const auto fits = [](double coordinate) { return std::abs(coordinate) <= Range::kLargest; };
+    if (fits(p.x) && fits(p.y) && fits(p.z)) continue;
+    throw InputError(
+        place,
+        fmt::format("mesh '{}': vertex {} is at ({:g}, {:g}, {:g})", mesh.name, i, p.x, p.y, p.z),
+        fmt::format("numbers from {:g} to {:g}", -Range::kLargest, Range::kLargest));
   }
 }
 

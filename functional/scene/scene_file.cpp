@@ -21,9 +21,9 @@ namespace {
 constexpr int kMaxPixels = 16384;  // each way
 
 struct Source {
-  std::string name;   // of the scene
-  std::string place;  // the file as users know it
-  std::filesystem::path folder;
+  std::string name;            // of the scene
+  std::string place;           // the file as users know it
+  std::filesystem::path file;  // empty: inside the program
   std::string text;
 };
 
@@ -34,11 +34,13 @@ struct CameraFile {
 };
 
 std::string read_text(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    throw InputError(path.string(), "is a folder", "a scene file");
+  }
   std::ifstream stream(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream || std::filesystem::is_directory(path)) {
-    throw InputError(path.string(), "cannot be read", "a scene file");
-  }
+  if (!stream) throw InputError(path.string(), "cannot be read", "a scene file");
   return text;
 }
 
@@ -57,7 +59,7 @@ Source find_source(const std::string& name_or_file) {
     }
     throw InputError(name_or_file, "no such scene", known + "or a .toml file");
   }
-  return {path.stem().string(), path.string(), path.parent_path(), read_text(path)};
+  return {path.stem().string(), path.string(), path, read_text(path)};
 }
 
 CameraFile read_camera(const TomlTable& table) {
@@ -141,6 +143,8 @@ Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
   const TomlTable table(root, source.place);
   Scene scene;
   scene.name = source.name;
+  scene.place = source.place;
+  if (!source.file.empty()) scene.files.push_back(source.file);
   scene.description = table.text("description");
   set_size(scene, table, options);
   const TomlTable camera_table = table.table("camera");
@@ -148,7 +152,8 @@ Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
   const LightFile light = read_light(table.table("light"));
   scene.light = options.light_shape ? reshaped(light, *options.light_shape) : light.light;
   if (!has_extent(scene.light)) scene.light.shape = LightShape::point;
-  const ObjectContext context{{source.folder, options.mesh}, options.repair, notes};
+  const ObjectContext context{
+      {source.file.parent_path(), options.mesh, &scene.files}, options.repair, notes};
   for (const TomlTable& object : table.tables("object")) {
     std::ranges::move(read_objects(object, context), std::back_inserter(scene.objects));
   }
@@ -160,6 +165,8 @@ Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
   check_scene(scene, source.place);
   return scene;
 }
+
+std::string scene_name(const std::string& name_or_file) { return find_source(name_or_file).name; }
 
 std::vector<SceneInfo> built_in_scenes() {
   std::vector<SceneInfo> infos;

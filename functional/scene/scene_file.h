@@ -35,6 +35,10 @@ struct SceneInfo {
 Scene load_scene(const std::string& name_or_file, const SceneOptions& options = {},
                  std::vector<std::string>* notes = nullptr);
 
+/// The name of a scene, without reading more than it takes to know that it is there.
+/// \throws InputError if there is no such scene, or its file cannot be read
+std::string scene_name(const std::string& name_or_file);
+
 /// The scenes inside the program, by name.
 std::vector<SceneInfo> built_in_scenes();
 

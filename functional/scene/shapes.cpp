@@ -25,6 +25,10 @@ Mesh made_at(const TomlTable& table, std::string_view key, const Make& make) {
   }
 }
 
+void note_file(const ShapeContext& context, const std::filesystem::path& path) {
+  if (context.files != nullptr) context.files->push_back(path);
+}
+
 Mesh read_box(const TomlTable& table, const ShapeContext&) {
   return make_box(table.vec3("size", {}, Range::size()));
 }
@@ -95,6 +99,7 @@ Mesh read_text(const TomlTable& table, const ShapeContext& context) {
   style.curve_segments = table.integer("curve_segments", style.curve_segments, 1, 64);
   if (table.has("font")) {
     style.font = context.folder / table.text("font");
+    note_file(context, style.font);
   }
   const std::string text = table.text("text");
   return made_at(table, "text", [&] { return make_text(text, style); });
@@ -102,12 +107,15 @@ Mesh read_text(const TomlTable& table, const ShapeContext& context) {
 
 Mesh read_file(const TomlTable& table, const ShapeContext& context) {
   const std::filesystem::path path = context.folder / table.text("file");
+  note_file(context, path);
   return made_at(table, "file", [&] { return load_mesh(path); });
 }
 
 /// The mesh of --mesh; without it a torus, so that the scene is one as it stands.
 Mesh read_user(const TomlTable&, const ShapeContext& context) {
-  return context.user_mesh ? load_mesh(*context.user_mesh) : make_torus(1.0, 0.45, 64, 32);
+  if (!context.user_mesh) return make_torus(1.0, 0.45, 64, 32);
+  note_file(context, *context.user_mesh);
+  return load_mesh(*context.user_mesh);
 }
 
 struct Shape {

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "tests/base/temporary_folder.h"
@@ -78,6 +79,7 @@ TEST(WriteFile, RefusesWhatIsNoPlaceForAFile) {
   write_file(folder / "file", std::string_view("x"));
   EXPECT_THROW(write_file(folder.path(), std::string_view("x")), InputError);
   EXPECT_THROW(write_file(folder / "file/below", std::string_view("x")), InputError);
+  EXPECT_THROW(write_file(folder / "new/", std::string_view("x")), InputError);
   EXPECT_THROW(write_file(folder / std::string(300, 'n'), std::string_view("x")), InputError);
   EXPECT_EQ(folder.entries(), 1u);
 }
@@ -101,6 +103,22 @@ TEST(WriteFile, NeverReplacesAPipe) {
   std::string line;
   std::getline(reader, line);
   EXPECT_EQ(line, "through");
+}
+
+TEST(RequireNotRead, KnowsAFileByEveryName) {
+  const TemporaryFolder folder;
+  write_file(folder / "in", std::string_view("x"));
+  write_file(folder / "other", std::string_view("x"));
+  fs::create_symlink(folder / "in", folder / "link");
+  const std::vector<fs::path> inputs{folder / "missing", folder / "in"};
+  for (const fs::path& same :
+       {folder / "in", folder / "./in", folder.path() / "x" / ".." / "in", folder / "link"}) {
+    fs::create_directories(folder / "x");
+    EXPECT_THROW(require_not_read(same, inputs), InputError) << same;
+  }
+  EXPECT_NO_THROW(require_not_read(folder / "other", inputs));
+  EXPECT_NO_THROW(require_not_read(folder / "missing", inputs));
+  EXPECT_NO_THROW(require_not_read(folder / "in", {}));
 }
 
 TEST(MappedFile, ShowsTheBytes) {

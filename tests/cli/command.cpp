@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -99,6 +101,37 @@ Outcome run_on_terminal(const std::vector<std::string>& arguments) {
   Outcome outcome;
   outcome.command = joined(arguments);
   outcome.err = read_all(master);
+  outcome.code = exit_code(child);
+  return outcome;
+}
+
+Outcome run_into(const std::filesystem::path& out, const std::vector<std::string>& arguments) {
+  const Capture err;
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(open(out.c_str(), O_WRONLY), STDOUT_FILENO);
+    dup2(err.file(), STDERR_FILENO);
+    become(arguments);
+  }
+  Outcome outcome;
+  outcome.command = joined(arguments);
+  outcome.code = exit_code(child);
+  outcome.err = err.text();
+  return outcome;
+}
+
+Outcome interrupt_command(const std::filesystem::path& folder, int signal,
+                          const std::vector<std::string>& arguments) {
+  const pid_t child = fork();
+  if (child == 0) {
+    setenv("TMPDIR", folder.c_str(), 1);
+    become(arguments);
+  }
+  for (int i = 0; i < 3000 && std::filesystem::is_empty(folder); ++i) usleep(10000);
+  EXPECT_FALSE(std::filesystem::is_empty(folder));
+  kill(child, signal);
+  Outcome outcome;
+  outcome.command = joined(arguments);
   outcome.code = exit_code(child);
   return outcome;
 }

@@ -23,6 +23,14 @@ Outcome run_command(const std::vector<std::string>& arguments);
 /// The same with standard error on a terminal; `err` is what the terminal was sent.
 Outcome run_on_terminal(const std::vector<std::string>& arguments);
 
+/// The same with standard output into this file.
+Outcome run_into(const std::filesystem::path& out, const std::vector<std::string>& arguments);
+
+/// Runs it with TMPDIR `folder`, sends it `signal` as soon as there is something in that folder,
+/// and waits for it.
+Outcome interrupt_command(const std::filesystem::path& folder, int signal,
+                          const std::vector<std::string>& arguments);
+
 /// Exit code 2, nothing on standard output, exactly one line on standard error that holds all of
 /// `words`.
 void expect_bad_input(const Outcome& outcome, const std::vector<std::string>& words);

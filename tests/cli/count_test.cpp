@@ -44,7 +44,7 @@ TEST_F(Count, PrintsEveryCounterWithUnitAndDescription) {
         << counter->name();
     EXPECT_NE(outcome.out.find(counter->description()), std::string::npos) << counter->name();
   }
-  EXPECT_NE(outcome.out.find("pixels: 6,144 compared in 1 configuration;"), std::string::npos);
+  EXPECT_NE(outcome.out.find("pixels: 6,144 compared in 2 configurations;"), std::string::npos);
   EXPECT_NE(outcome.out.find("the 10 worst pixels:"), std::string::npos);
 }
 
@@ -73,6 +73,11 @@ TEST_F(Count, JsonHasTheNamesOfItsSchema) {
   for (const char* key : {"compared", "max_error", "rms_error", "mismatched", "tolerance"}) {
     EXPECT_TRUE(config["pixels"].contains(key)) << key;
   }
+  const Json& counted = config["counters"];
+  EXPECT_EQ(config["totals"]["accesses"],
+            counted["z_reads"].get<int>() + counted["li_writes"].get<int>());
+  EXPECT_EQ(config["totals"]["accesses_floor"],
+            counted["z_reads_floor"].get<int>() + counted["li_writes_floor"].get<int>());
   EXPECT_EQ(config["pixels"]["compared"], 96 * 64);
   EXPECT_EQ(config["pixels"]["mismatched"], 0);
   std::set<std::string> counters;
@@ -80,6 +85,38 @@ TEST_F(Count, JsonHasTheNamesOfItsSchema) {
   for (const Counter* counter : registry.counters()) counters.emplace(counter->name());
   EXPECT_EQ(keys_of(config["counters"]), counters);
   EXPECT_GT(config["counters"]["z_reads"], 0);
+}
+
+TEST_F(Count, DefaultsAreThoseOfTheManual) {
+  const Json result = json({});
+  ASSERT_EQ(result["configs"].size(), 2U);
+  EXPECT_EQ(result["configs"][0]["mode"], "single-pass");
+  EXPECT_EQ(result["configs"][1]["mode"], "three-pass");
+  Json same = json({"--mode",       "single-pass,three-pass",
+                    "--tile",       "8",
+                    "--cull",       "both",
+                    "--umbra-cull", "zmax",
+                    "--accept",     "none",
+                    "--share",      "eye",
+                    "--z",          "auto",
+                    "--tile-build", "eager",
+                    "--datapath",   "exact",
+                    "--needs",      "all"});
+  EXPECT_EQ(same["configuration"], result["configuration"]);
+  EXPECT_EQ(same["configs"][1]["counters"], result["configs"][1]["counters"]);
+}
+
+TEST_F(Count, EveryZMethodAndTileBuildIsTaken) {
+  for (const std::string z : {"auto", "pass", "fail"}) {
+    EXPECT_EQ(json({"--z", z})["configs"][0]["z"], z == "auto" ? "pass" : z);
+  }
+  const auto built = [this](const std::string& how) -> std::uint64_t {
+    return json({"--tile-build", how})["configs"][0]["counters"]["tile_build_reads"];
+  };
+  EXPECT_EQ(built("eager"), 96U * 64U);
+  EXPECT_LT(built("lazy"), 96U * 64U);
+  EXPECT_GT(built("lazy"), 0U);
+  EXPECT_EQ(built("none"), 0U);
 }
 
 TEST_F(Count, NothingButTimingVaries) {
@@ -106,7 +143,7 @@ TEST_F(Count, SetsAreCombined) {
 }
 
 TEST_F(Count, AllTilesAreEight) {
-  const Json result = json({"--tile", "all"});
+  const Json result = json({"--tile", "all", "--mode", "single-pass"});
   std::vector<int> tiles;
   for (const Json& config : result["configs"]) tiles.push_back(config["tile"]);
   EXPECT_EQ(tiles, (std::vector{2, 4, 8, 16, 32, 64, 128, 256}));
@@ -120,7 +157,7 @@ TEST_F(Count, IntegersOf255AreOffered) {
 
 TEST_F(Count, MapsShowWhereTheAccessesAre) {
   const std::string prefix = (folder / "maps/p").string();
-  const Json result = json({"--maps", prefix});
+  const Json result = json({"--maps", prefix, "--mode", "three-pass"});
   const auto sum = [&](const std::string& name) {
     double total = 0.0;
     for (const float value : read_image(prefix + name + ".exr").values) total += value;
@@ -147,6 +184,11 @@ TEST_F(Count, BadOptionsAreRefused) {
       {{"--tile", "512"}, {"--tile", "'512'"}},
       {{"--tile", "4,,8"}, {"--tile", "empty"}},
       {{"--tile", ""}, {"--tile"}},
+      {{"--tile", "8,8"}, {"--tile", "'8' is given twice"}},
+      {{"--tile", "8,4,08"}, {"--tile", "'08' is given twice"}},
+      {{"--tile", "all,8"}, {"--tile", "'all' stands beside other values"}},
+      {{"--mode", "single-pass,single-pass"}, {"--mode", "given twice"}},
+      {{"--cull", "both,none,both"}, {"--cull", "'both' is given twice"}},
       {{"--mode", "two-pass"}, {"--mode", "two-pass", "single-pass, three-pass"}},
       {{"--cull", "all"}, {"--cull", "'all'", "zrange"}},
       {{"--umbra-cull", "both"}, {"--umbra-cull", "'both'"}},
@@ -161,7 +203,9 @@ TEST_F(Count, BadOptionsAreRefused) {
       {{"--json", (trace / "x.json").string()}, {"x.json"}},
   };
   for (const auto& [options, words] : bad) {
-    expect_bad_input(count(options), words);
+    const Outcome outcome = count(options);
+    expect_bad_input(outcome, words);
+    EXPECT_EQ(outcome.err.find("/.p_"), std::string::npos) << "temporary: " << outcome.err;
     EXPECT_EQ(folder.entries(), 1U) << options.back();
   }
 }

@@ -40,6 +40,12 @@ TEST_F(Explain, AddsUpToTheExpectedLight) {
   }
 }
 
+TEST_F(Explain, SinglePassIsTheDefault) {
+  const std::string pixel = place(penumbra_pixel());
+  EXPECT_EQ(explain(pixel).out, explain(pixel, {"--mode", "single-pass"}).out);
+  EXPECT_NE(explain(pixel).out, explain(pixel, {"--mode", "three-pass"}).out);
+}
+
 TEST_F(Explain, TakesTheOptionsOfCount) {
   const Outcome outcome =
       explain(place(penumbra_pixel()), {"--mode", "three-pass", "--tile", "32", "--cull", "none"});
@@ -74,7 +80,12 @@ TEST_F(Explain, BadPixelsAndOptionsAreRefused) {
   for (const char* pixel : {"", "3", "a,b", "-1,2", "1,2,3", "1.5,2", "99999999999,0"}) {
     expect_bad_input(explain(pixel), {"--pixel", pixel});
   }
-  expect_bad_input(explain("1,1", {"--tile", "2,4"}), {"2 are given", "one value"});
+  expect_bad_input(explain("1,1", {"--tile", "2,4"}), {"--tile", "'2,4'", "expected one value"});
+  expect_bad_input(explain("1,1", {"--tile", "all"}), {"--tile", "'all'", "expected one value"});
+  expect_bad_input(explain("1,1", {"--tile", "all", "--cull", "none,both"}),
+                   {"--cull", "'none,both'", "expected one value"});
+  expect_bad_input(explain("1,1", {"--mode", "single-pass,three-pass"}),
+                   {"--mode", "expected one value"});
   expect_bad_input(explain("1,1", {"--tile", "3"}), {"--tile", "'3'"});
   trace = folder / "missing.wtrace";
   expect_bad_input(explain("1,1"), {"missing.wtrace"});

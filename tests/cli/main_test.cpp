@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <array>
-#include <cstdlib>
+#include <csignal>
 
 #include "tests/cli/command.h"
 
@@ -72,11 +73,61 @@ TEST(Main, OneArgumentTooManyIsNamed) {
 TEST(Main, OutputThatCannotBeWrittenIsAnError) {
   const TemporaryFolder folder;
   const std::string trace = make_trace(folder).string();
-  const std::string program = WEDGESIM_BINARY_DIR "/cli/wedgesim";
-  const std::string err = (folder / "err").string();
-  const int status = std::system((program + " dump " + trace + " >/dev/full 2>" + err).c_str());
-  EXPECT_EQ(WEXITSTATUS(status), 2);
-  EXPECT_EQ(read_text(err).find("standard output: "), 0U);
+  const std::vector<std::vector<std::string>> printing{
+      {"--help"},
+      {"count", "--help"},
+      {"scenes"},
+      {"dump", trace},
+      {"explain", trace, "--pixel", "1,1"},
+      {"trace", "cylinder", "-o", (folder / "x").string(), "--size", "16x16"}};
+  for (const std::vector<std::string>& arguments : printing) {
+    expect_bad_input(run_into("/dev/full", arguments), {"standard output: cannot be written"});
+  }
+}
+
+TEST(Main, NamesNeverMakeTwoLines) {
+  const std::string name = "a\nb\tc\x1b[31m\x7f";
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"count", name},
+                                                    {"render", name, "-o", "x.png"},
+                                                    {"dump", name},
+                                                    {name},
+                                                    {"study", name},
+                                                    {"scenes", name}}) {
+    expect_bad_input(run_command(arguments), {"a\\nb\\tc\\x1b[31m\\x7f"});
+  }
+}
+
+TEST(Main, EmptyValuesAreRefused) {
+  const TemporaryFolder folder;
+  const std::string trace = make_trace(folder).string();
+  expect_bad_input(run_command({"count", ""}), {"FILE", "is empty"});
+  expect_bad_input(run_command({"count", trace, "--json", ""}), {"--json", "is empty"});
+  expect_bad_input(run_command({"count", trace, "--json="}), {"--json", "without a value"});
+  expect_bad_input(run_command({"count", trace, "--maps", ""}), {"--maps", "is empty"});
+  expect_bad_input(run_command({"dump", trace, "--obj", ""}), {"--obj", "is empty"});
+  expect_bad_input(run_command({"trace", "cylinder", "-o", ""}), {"--output", "is empty"});
+  expect_bad_input(run_command({"render", "cylinder", "-o", ""}), {"--output", "is empty"});
+  expect_bad_input(run_command({"study", "paper2", "-o", ""}), {"--output", "is empty"});
+  EXPECT_EQ(folder.entries(), 1U);
+}
+
+TEST(Main, AFlagTakesNoValue) {
+  expect_bad_input(run_command({"trace", "cylinder", "-o", "x", "--repair=foo"}),
+                   {"wedgesim trace", "--repair = foo", "it takes no value", "the option alone"});
+}
+
+TEST(Main, ASignalLeavesNoTemporaryFile) {
+  const TemporaryFolder folder;
+  const std::string trace = make_trace(folder).string();
+  const std::filesystem::path temporary = folder / "temporary";
+  std::filesystem::create_directory(temporary);
+  const std::string pipe = (folder / "pipe").string();  // nobody reads it: writing waits
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    EXPECT_EQ(interrupt_command(temporary, signal, {"dump", trace, "--obj", pipe}).code,
+              128 + signal);
+    EXPECT_TRUE(std::filesystem::is_empty(temporary)) << signal;
+  }
 }
 
 TEST(Main, ProgressIsShownOnATerminalAlone) {

@@ -102,6 +102,11 @@ TEST_F(Render, BadScenesAreRefused) {
   write_text(folder / "bad.toml", "description = \"x\"\n[camera]\nspeed = 3\n");
   expect_bad_input(render(image("bad.toml"), "x.png"), {"bad.toml"});
   EXPECT_EQ(folder.entries(), 1U);
+  std::filesystem::create_directory(folder / "folder.toml");
+  expect_bad_input(render(image("folder.toml"), "x.png"), {"folder.toml", "is a folder"});
+  expect_bad_input(render(image("folder.toml/"), "x.png"), {"folder.toml/", "is a folder"});
+  expect_bad_input(render("mesh", "x.png", {"--mesh", image("folder.toml")}),
+                   {"folder.toml", "is a folder", "a mesh file"});
 }
 
 TEST_F(Render, BadPlacesAreRefusedAndNothingIsLeft) {
@@ -117,6 +122,13 @@ TEST_F(Render, BadPlacesAreRefusedAndNothingIsLeft) {
   expect_bad_input(render("cylinder", "folder.png", size), {"folder.png", "is a folder"});
   EXPECT_EQ(folder.entries(), 2U);
   EXPECT_TRUE(std::filesystem::is_empty(folder / "folder.png"));
+}
+
+TEST_F(Render, AMeshWithoutAreaIsRefused) {
+  write_text(folder / "wire.obj",
+             "v 0 0 0\nv 1 1 1\nv 2 2 2\nv 3 3 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  expect_bad_input(render("mesh", "x.png", {"--mesh", image("wire.obj")}),
+                   {"wire.obj", "has no area"});
 }
 
 TEST_F(Render, AnOpenMeshIsRefusedAndRepairedOnDemand) {

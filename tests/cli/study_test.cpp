@@ -80,7 +80,9 @@ TEST_F(Study, ASceneWithoutItsMeshIsLeftOutInOneLine) {
   const Outcome outcome = study({"--scenes", (folder / "broken.toml").string() + ",cylinder"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
-  EXPECT_NE(outcome.err.find("/nowhere/x.obj"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("left out: " + (folder / "broken.toml").string() + ":10: /nowhere"),
+            0U)
+      << outcome.err;
   EXPECT_TRUE(std::filesystem::exists(out / "cylinder.wtrace"));
   EXPECT_NE(outcome.out.find("cylinder: 64x48"), std::string::npos);
 }
@@ -91,11 +93,23 @@ TEST_F(Study, BadInputIsRefused) {
   expect_bad_input(study({"--scenes", "cylinder,,"}), {"--scenes", "empty"});
   expect_bad_input(run_command({"study", "paper2", "--size", "0x1", "-o", out.string()}),
                    {"--size", "0x1"});
+  expect_bad_input(study({"--scenes", "cylinder,nowhere"}), {"nowhere: no such scene"});
+  expect_bad_input(study({"--scenes", "cylinder,/nowhere/x.toml"}), {"/nowhere/x.toml"});
+  expect_bad_input(study({"--scenes", "cylinder,cylinder"}), {"cylinder", "the same files"});
   EXPECT_EQ(folder.entries(), 0U);
+  for (const char* name : {"a", "b"}) {
+    std::filesystem::create_directory(folder / name);
+    write_text(folder / name / "s.toml", "");
+  }
+  const std::string first = (folder / "a/s.toml").string();
+  const std::string second = (folder / "b/s.toml").string();
+  expect_bad_input(study({"--scenes", first + "," + second}),
+                   {second + ": writes the same files as " + first});
+  EXPECT_EQ(folder.entries(), 2U);
   write_text(folder / "file", "");
   out = folder / "file/out";
   expect_bad_input(study({"--scenes", "cylinder"}), {"file/out"});
-  EXPECT_EQ(folder.entries(), 1U);
+  EXPECT_EQ(folder.entries(), 3U);
 }
 
 }  // namespace

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <chrono>
 
 #include "tests/cli/command.h"
 #include "traces/reader.h"
@@ -29,6 +32,8 @@ TEST_F(Trace, WritesASoundTraceAndSaysWhatIsInIt) {
   EXPECT_EQ(written.view().expected_li.size(), 48U * 32U);
   EXPECT_FALSE(written.view().wedges.empty());
   EXPECT_NE(outcome.out.find("48x32"), std::string::npos);
+  const std::string checksum = fmt::format("{:016x}", written.view().header.checksum);
+  EXPECT_NE(outcome.out.find(checksum), std::string::npos) << outcome.out;
   EXPECT_EQ(folder.entries(), 1U);
 }
 
@@ -54,6 +59,13 @@ TEST_F(Trace, AFixedLengthShortensTheVolumes) {
   EXPECT_NE(read_text(file), fixed);
 }
 
+TEST_F(Trace, AnotherFrameIsAnotherTrace) {
+  expect_good(trace({}));
+  const std::string first = read_text(file);
+  expect_good(trace({"--frame", "5"}));
+  EXPECT_NE(read_text(file), first);
+}
+
 TEST_F(Trace, TheSameSceneGivesTheSameBytes) {
   expect_good(trace({}));
   const std::string first = read_text(file);
@@ -65,7 +77,9 @@ TEST_F(Trace, BadOptionsAreRefusedAndNothingIsWritten) {
   const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> bad{
       {{"--kind", "round"}, {"--kind", "round", "coverage, linear"}},
       {{"--depth", "unorm8"}, {"--depth", "unorm8", "unorm24"}},
-      {{"--length", "0"}, {"--length", "above 0"}},
+      {{"--length", "0"}, {"--length", "a number from 1e-06 to 1e+06"}},
+      {{"--length", "1e308"}, {"--length", "'1e308'", "a number from 1e-06 to 1e+06"}},
+      {{"--length", "1e999"}, {"--length", "'1e999'"}},
       {{"--length", "-3"}, {"--length", "-3"}},
       {{"--length", "nan"}, {"--length", "nan"}},
       {{"--length", "inf"}, {"--length", "inf"}},
@@ -77,6 +91,25 @@ TEST_F(Trace, BadOptionsAreRefusedAndNothingIsWritten) {
   }
   expect_bad_input(trace({}, "nowhere"), {"nowhere", "no such scene"});
   EXPECT_EQ(folder.entries(), 0U);
+}
+
+TEST_F(Trace, WhatCannotFitIsKnownBeforeItIsRendered) {
+  const auto start = std::chrono::steady_clock::now();
+  expect_bad_input(run_command({"trace", "cylinder", "-o", file.string(), "--size", "16384x16384"}),
+                   {"cylinder.toml", "16384x16384", "at most 134217727 pixels"});
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  EXPECT_EQ(folder.entries(), 0U);
+}
+
+TEST_F(Trace, WhatCannotBeShadowedNamesTheScene) {
+  write_text(folder / "wide.toml",
+             "description = \"x\"\n[camera]\neye = [0.0, 3.0, 5.0]\ntarget = [0.0, 0.0, 0.0]\n"
+             "[light]\ncentre = [20.0, 1.2, 0.0]\ntarget = [20.0, 0.0, 0.0]\nsize = [90.0, 90.0]\n"
+             "[[object]]\nshape = \"box\"\nsize = [1.0, 1.0, 1.0]\ncasts = true\n");
+  const std::string scene = (folder / "wide.toml").string();
+  const Outcome outcome = trace({"--length", "0.001"}, scene);
+  expect_bad_input(outcome, {"box", "never reaches"});
+  EXPECT_EQ(outcome.err.find(scene + ": "), 0U) << outcome.err;
 }
 
 TEST_F(Trace, AFailedRunLeavesTheOldFile) {
@@ -97,6 +130,8 @@ TEST_F(Trace, BadPlacesAreRefused) {
   expect_bad_input(trace({}), {"file/x.wtrace"});
   file = "/proc/x.wtrace";
   expect_bad_input(trace({}), {"/proc/x.wtrace"});
+  file = folder / "new/";
+  expect_bad_input(trace({}), {"new/", "is no file name"});
   EXPECT_EQ(folder.entries(), 1U);
 }
 

@@ -43,6 +43,24 @@ TEST(Json, AResultSaysItsEffectiveConfiguration) {
   EXPECT_EQ(json["timing"].dump(), R"({"seconds":0.25})");
 }
 
+TEST(Json, AResultHasItsTotalsAndTheFloorOfTheFrame) {
+  model::CountResult result = make_result({}, 5, 3);
+  result.counters->z_reads_min = 1;
+  result.counters->wedge_bytes = 2;
+  result.wrong_contributions = 7;
+  const Json json = to_json(result, model::LiFormat::exact);
+  EXPECT_EQ(json["totals"].dump(), R"({"accesses":8,"accesses_floor":150,"all_bytes":12500})");
+  EXPECT_EQ(json["wrong_contributions"], 7);
+}
+
+TEST(Json, APixelCheckIsToldWhole) {
+  model::CountResult result = make_result({}, 5, 3);
+  result.pixels = {6, 0.5, 0.25, 3, 0.125, {}};
+  EXPECT_EQ(to_json(result, model::LiFormat::exact)["pixels"].dump(),
+            R"({"compared":6,"max_error":0.5,"rms_error":0.25,"mismatched":3,)"
+            R"("tolerance":0.125,"worst":[]})");
+}
+
 TEST(Json, APixelCheckListsItsWorstPixels) {
   model::CountResult result = make_result({}, 5, 3);
   result.pixels.mismatched = 1;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "reports/map_files.h"
 #include "reports/maps.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/reports/results.h"
@@ -73,6 +74,9 @@ TEST(Maps, AreWrittenWithTheirScales) {
   EXPECT_EQ(scales.li_writes, 1.0F) << "an empty map still has a scale";
   EXPECT_EQ(scales.difference, 0.5F);
   EXPECT_EQ(folder.entries(), 8U);
+  const auto files = map_files((folder / "p").string());
+  EXPECT_EQ(files.size(), 8U);
+  for (const auto& file : files) EXPECT_TRUE(std::filesystem::exists(file)) << file;
   EXPECT_EQ(read_image(folder / "p_z_reads.exr").values[1], 7.0F);
   EXPECT_EQ(read_image(folder / "p_li.exr").values[2], 0.5F);
   EXPECT_EQ(read_image(folder / "p_difference.exr").values[2], 0.5F);

@@ -66,22 +66,44 @@ TEST(Study, CountsEveryConfigurationAndSaysWhatItDoes) {
   EXPECT_EQ(folder.entries(), 1U + 10U + 3U) << "trace, pictures, results";
 }
 
-TEST(Study, AWrongPixelFails) {
+TEST(Study, AWrongPixelOfAnySceneFails) {
   const TemporaryFolder folder;
-  StudyResults results = run_study(small_study(), folder.path(), [](std::string_view) {});
+  Study study = small_study();
+  study.scenes = {"cylinder", "plain-columns"};
+  StudyResults results = run_study(study, folder.path(), [](std::string_view) {});
+  EXPECT_TRUE(held(results));
   results.scenes.front().results.back().pixels.mismatched = 1;
   EXPECT_FALSE(held(results));
 }
 
 TEST(Study, ASceneThatCannotBeLoadedIsLeftOut) {
   const TemporaryFolder folder;
+  std::ofstream(folder / "empty.toml") << "";
   Study study = small_study();
-  study.scenes = {"nowhere", "cylinder"};
+  study.scenes = {(folder / "empty.toml").string(), "cylinder"};
   const StudyResults results = run_study(study, folder.path(), [](std::string_view) {});
   ASSERT_EQ(results.scenes.size(), 2U);
-  EXPECT_NE(results.scenes[0].failure.find("nowhere"), std::string::npos);
+  EXPECT_NE(results.scenes[0].failure.find("empty.toml"), std::string::npos);
   EXPECT_TRUE(results.scenes[0].results.empty());
   EXPECT_EQ(results.scenes[1].failure, "");
+}
+
+TEST(Study, ScenesAreLookedForBeforeAnyWork) {
+  const TemporaryFolder folder;
+  const auto refuse = [&folder](const std::vector<std::string>& scenes) {
+    Study study = small_study();
+    study.scenes = scenes;
+    bool worked = false;
+    const auto progress = [&worked](std::string_view) { worked = true; };
+    EXPECT_THROW(run_study(study, folder / "out", progress), InputError) << scenes.back();
+    EXPECT_FALSE(worked) << scenes.back();
+    EXPECT_FALSE(std::filesystem::exists(folder / "out")) << scenes.back();
+  };
+  refuse({"cylinder", "nowhere"});
+  refuse({"cylinder", "/nowhere/x.toml"});
+  refuse({"cylinder", "cylinder"});
+  std::ofstream(folder / "cylinder.toml") << "";
+  refuse({"cylinder", (folder / "cylinder.toml").string()});
 }
 
 TEST(Study, AFolderThatCannotBeMadeIsAnError) {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
 #include "reports/count_text.h"
 #include "reports/savings.h"
 #include "reports/study_files.h"
@@ -56,6 +60,35 @@ TEST(StudyFiles, CsvHasALineAResult) {
       << text;
 }
 
+TEST(StudyFiles, CsvSaysWhatWasWrong) {
+  StudyResults results = make_study_results();
+  results.scenes.front().results.resize(1);
+  model::CountResult& result = results.scenes.front().results.front();
+  result.pixels = {6, 0.5, 0.25, 3, 0.125, {}};
+  result.wrong_contributions = 7;
+  const std::string text = study_csv(results);
+  EXPECT_TRUE(contains(text,
+                       ",compared,max_error,rms_error,mismatched,tolerance,"
+                       "wrong_contributions\n"))
+      << text;
+  EXPECT_TRUE(text.ends_with(",6,0.5,0.25,3,0.125,7\n")) << text;
+}
+
+TEST(StudyFiles, CsvQuotesNames) {
+  StudyResults results = make_study_results();
+  results.scenes.front().trace.name = "a \"b\", c";
+  EXPECT_TRUE(contains(study_csv(results), "\n\"a \"\"b\"\", c\",0000000000000abc,"));
+}
+
+TEST(StudyFiles, CsvHasAValueForEveryName) {
+  const std::string text = study_csv(make_study_results());
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  const auto commas = std::ranges::count(line, ',');
+  while (std::getline(lines, line)) EXPECT_EQ(std::ranges::count(line, ','), commas) << line;
+}
+
 TEST(StudyFiles, JsonHasTimeUnderTimingAlone) {
   StudyResults results = make_study_results();
   results.scenes.front().seconds = 1.5;
@@ -82,6 +115,36 @@ TEST(CountText, AFailureIsNamed) {
   const std::string text = count_text({"x", 1, 3, 2, 7}, results);
   EXPECT_TRUE(contains(text, "FAILED: three-pass, tile 64, ")) << text;
   EXPECT_TRUE(contains(text, "the 1 worst pixels:")) << text;
+}
+
+TEST(CountText, TheWorstOfAllConfigurationsIsTold) {
+  std::vector<model::CountResult> results;
+  for (const auto& pixels : {model::PixelCheck{6, 0.5, 0.0625, 3, 0.125, {}},
+                             model::PixelCheck{6, 0.25, 0.03125, 2, 0.125, {}}}) {
+    results.push_back(make_result({}, 5, 3));
+    results.back().pixels = pixels;
+    results.back().wrong_contributions = 4;
+  }
+  const std::string text = pixels_text(results);
+  EXPECT_EQ(text.find("pixels: 6 compared in 2 configurations; max error 0.5, RMS 0.062, 5 "
+                      "mismatched (tolerance 0.125 plus sensitivity)\n"
+                      "tile tests lost 8 contributions\n"),
+            0U)
+      << text;
+}
+
+TEST(CountText, CountersStandWithTheirOwnConfiguration) {
+  std::vector<model::CountResult> results;
+  results.push_back(make_result({}, 1234, 60));
+  results.push_back(make_result({model::Mode::three_pass, 64}, 4321, 70));
+  results.back().z = model::ZMethod::fail;
+  const std::string text = count_text({"x", 1, 3, 2, 7}, results);
+  for (const char* row :
+       {"\nmode +single-pass +three-pass +unit\n", "\ntile +8 +64\n", "\nz +pass +fail\n",
+        "\nz_reads +1,234 +4,321 +accesses +Depth", "\naccesses +1,294 +4,391 +accesses",
+        "\naccesses / floor +8.63 +29.27"}) {
+    EXPECT_TRUE(std::regex_search(text, std::regex(row))) << row << " is not in\n" << text;
+  }
 }
 
 TEST(CountText, LostContributionsFailToo) {

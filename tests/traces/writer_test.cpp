@@ -157,6 +157,12 @@ TEST(Writer, RefusesMoreThanTwoGigabytes) {
   EXPECT_EQ(files_in(folder.path()), 0U);
 }
 
+TEST(Writer, RoomIsKnownBeforehand) {
+  EXPECT_NO_THROW(require_room("x.toml", 8192, 16383));
+  EXPECT_EQ(input_error([] { require_room("x.toml", 16384, 16384); }),
+            "x.toml: 16384x16384 pixels pass a trace's 2 GB; expected at most 134217727 pixels");
+}
+
 TEST(Writer, FolderThatIsAFile) {
   const Folder folder;
   write_bytes(folder / "file", {});

@@ -162,7 +162,7 @@ TEST(ShadowGeometry, LightsAmongCastersAreRefused) {
   Scene scene = box_over_floor();
   scene.light.centre = {0.0, 1.5, 0.0};
   const std::string inside = error_of(scene);
-  EXPECT_NE(inside.find("box"), std::string::npos) << inside;
+  EXPECT_EQ(inside.find("scene: box: "), 0U) << inside;
   EXPECT_NE(inside.find("not clear of the light"), std::string::npos) << inside;
   EXPECT_NE(inside.find("in front of the rectangle's plane"), std::string::npos) << inside;
   EXPECT_EQ(inside.find('\n'), std::string::npos) << "one line";

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <set>
 #include <tuple>
 
+#include "base/error.h"
 #include "tests/functional/random.h"
 
 namespace wedgesim::functional {
@@ -119,6 +121,15 @@ TEST(Clip, SnapsToTheNearest256thOfAPixel) {
   EXPECT_EQ(p.x, 10 * 256 + 128);
   EXPECT_EQ(p.y, -3 * 256 - 1);
   EXPECT_EQ(p.z, 0.25);
+}
+
+TEST(Clip, OnlyNumbersOfTheGuardBandAreSnapped) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NO_THROW(snap(WindowPoint(-32768.0, 49152.0, 0.5)));
+  for (const double bad : {nan, std::numeric_limits<double>::infinity(), -1e10}) {
+    EXPECT_THROW(snap(WindowPoint(bad, 0.0, 0.5)), CheckError) << bad;
+    EXPECT_THROW(snap(WindowPoint(0.0, bad, 0.5)), CheckError) << bad;
+  }
 }
 
 // Is the area negative for an outline that is counter-clockwise as seen on the screen?

@@ -94,6 +94,29 @@ TEST(Manifold, InsideOutIsSaidToBe) {
   EXPECT_FALSE(is_sound(box));
 }
 
+TEST(Manifold, AMeshWithoutAreaIsRefused) {
+  const std::string refused =
+      "scene.toml:7: mesh 'wire' has no area; expected a triangle whose corners are not on one "
+      "line";
+  Mesh wire;
+  wire.name = "wire";
+  wire.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  for (const double along : {0.0, 1.0, 2.0, 5.0}) {
+    wire.positions.emplace_back(0.1F * along, 0.3F * along, 0.7F * along);
+  }
+  EXPECT_TRUE(examine(wire).closed());
+  EXPECT_EQ(error_of(wire), refused);
+  wire.positions.assign(4, glm::dvec3(1.0));
+  EXPECT_EQ(error_of(wire), refused);
+  wire.positions[3] = {1.0, 1.0, 2.0};
+  EXPECT_EQ(error_of(wire), refused);
+}
+
+TEST(Manifold, AThinSheetHasAnArea) {
+  Mesh sheet = make_thin_polygon({{0.0, 0.01}, {100.0, 0.01}, {100.0, 0.0}, {0.0, 0.0}});
+  EXPECT_EQ(error_of(sheet), "");
+}
+
 TEST(Weld, NegativeZeroIsZeroAndLooseVerticesGo) {
   Mesh mesh;
   mesh.positions = {{0.0, 0.0, 0.0}, {9, 9, 9}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0.0, -0.0}, {0, 0, 1}};

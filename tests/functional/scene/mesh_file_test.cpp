@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "base/error.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/functional/scene/mesh_facts.h"
 #include "tests/support/expect_input_error.h"
@@ -168,8 +169,58 @@ TEST_F(MeshFile, PointsThatDifferByOneBitStayApart) {
   EXPECT_EQ(welded(mesh).positions.size(), 4U);
 }
 
+// The pyramid's triangles without the base's second one, in binary; one index may be another.
+std::string binary_ply(std::int32_t last_index) {
+  std::string text =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 5\nproperty float x\n"
+      "property float y\nproperty float z\nelement face 5\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  const auto add = [&text](const auto& value) {
+    text.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  for (const float x :
+       {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 1.F, 0.F, -1.F, 0.F, 0.F, -1.F, 0.F, 1.F, 0.F})
+    add(x);
+  const std::int32_t faces[5][3] = {{3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, last_index}};
+  for (const auto& face : faces) {
+    add(std::uint8_t{3});
+    for (const std::int32_t index : face) add(index);
+  }
+  return text;
+}
+
+TEST_F(MeshFile, ABinaryPlyCutAnywhereNeverCrashes) {
+  const std::string whole = binary_ply(4);
+  EXPECT_EQ(load_mesh(write("whole.ply", whole)).triangles.size(), 5U);
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    const auto path = write("cut.ply", whole.substr(0, length));
+    try {
+      EXPECT_LE(load_mesh(path).triangles.size(), 5U) << length;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("cut.ply: "), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("; expected "), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST_F(MeshFile, AFaceThatNamesNoVertexIsRefused) {
+  for (const std::int32_t index : {5, 1000000000, -1}) {
+    const auto ply = write("index.ply", binary_ply(index));
+    EXPECT_EQ(error(ply), ply.string() + ": face 4: index " +
+                              std::to_string(static_cast<std::uint32_t>(index)) +
+                              "; expected 0..4");
+  }
+}
+
+TEST_F(MeshFile, AVertexThatIsNoNumberIsNamed) {
+  const auto nan = write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 3\nf 1 2 3\n");
+  EXPECT_EQ(error(nan), nan.string() + ": vertex 2 is (0, nan, 3); expected finite numbers");
+}
+
 TEST_F(MeshFile, Errors) {
   EXPECT_EQ(error("/nowhere/a.obj"), "/nowhere/a.obj: no such file; expected a mesh file");
+  const std::filesystem::path folder = write("a.obj", "").parent_path();
+  EXPECT_EQ(error(folder), folder.string() + ": is a folder; expected a mesh file");
   const auto text = write("a.txt", kObj);
   EXPECT_EQ(error(text), text.string() +
                              ": not a mesh file by its name; expected .obj, .ply, .stl, "
@@ -178,13 +229,12 @@ TEST_F(MeshFile, Errors) {
        {"junk.obj", "junk.ply", "junk.stl", "junk.gltf", "junk.glb", "junk.off", "junk.3ds"}) {
     const auto junk = write(name, "no mesh at all\n");
     EXPECT_NE(error(junk).find(junk.string()), std::string::npos) << error(junk);
+    EXPECT_NE(error(junk).find("; expected "), std::string::npos) << error(junk);
   }
   const auto empty = write("empty.obj", "");
   EXPECT_NE(error(empty), "");
   const auto points = write("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
   EXPECT_NE(error(points), "");
-  const auto nan = write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  EXPECT_NE(error(nan), "");
   const auto index = write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
   EXPECT_NE(error(index), "");
 }

@@ -76,6 +76,45 @@ TEST_F(SceneFile, ReadsAScene) {
   EXPECT_EQ(scene.objects[1].mesh.name, "box");
 }
 
+TEST_F(SceneFile, KnowsTheFilesItWasReadFrom) {
+  const std::string file = write("small.toml", kScene);
+  const Scene scene = load_scene(file);
+  EXPECT_EQ(scene.place, file);
+  EXPECT_EQ(scene.files, (std::vector<std::filesystem::path>{file}));
+  const std::filesystem::path mesh = std::filesystem::path(file).parent_path() / "a.obj";
+  write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const std::string more =
+      edited("[[object]]", "[[object]]\nshape = \"mesh\"\nfile = \"a.obj\"\n[[object]]");
+  EXPECT_EQ(load_scene(more).files, (std::vector<std::filesystem::path>{more, mesh}));
+  SceneOptions options;
+  options.mesh = write("b.obj",
+                       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                       "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  EXPECT_EQ(load_scene("mesh", options).files, (std::vector<std::filesystem::path>{*options.mesh}));
+  EXPECT_EQ(load_scene("mesh").place, "mesh.toml");
+}
+
+TEST_F(SceneFile, NamesAreKnownWithoutReadingAll) {
+  EXPECT_EQ(scene_name("fractal"), "fractal");
+  EXPECT_EQ(scene_name(write("odd.name.toml", "no scene")), "odd.name");
+  EXPECT_THROW(scene_name("nowhere"), InputError);
+  EXPECT_THROW(scene_name("/nowhere/x.toml"), InputError);
+}
+
+TEST_F(SceneFile, FoldersAreNoScenes) {
+  const std::string folder = std::filesystem::path(write("a", "")).parent_path().string();
+  EXPECT_EQ(error(folder), folder + ": is a folder; expected a scene file");
+  EXPECT_EQ(error(folder + "/"), ": is a folder; expected a scene file");
+}
+
+TEST_F(SceneFile, CoordinatesHaveARange) {
+  EXPECT_EQ(error(edited("size = [1, 1, 1]",
+                         "size = [1, 1, 1]\nscale = [1, 1, 1e6]\n"
+                         "position = [0, 0, 6e5]")),
+            "edited.toml: mesh 'box': vertex 0 is at (-0.5, 0, 1.1e+06); expected numbers from "
+            "-1e+06 to 1e+06");
+}
+
 TEST_F(SceneFile, OptionsChangeSizeFrameAndLight) {
   SceneOptions options;
   options.size = {64, 48};
