@@ -3,12 +3,13 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/limits.h"
 #include "traces/trace.h"
 
 namespace wedgesim::traces {
 
 /// What a sound trace may hold (docs/trace.md, "What is refused").
-inline constexpr std::uint32_t kMaxSide = 16384;      // pixels
+inline constexpr std::uint32_t kMaxSide = kMaxFrameEdge;
 inline constexpr std::int32_t kMaxSnapped = 1 << 24;  // 1/256 pixels, either sign
 inline constexpr std::uint32_t kMaxPolygonVertices = 64;
 inline constexpr std::uint32_t kMaxWedgePlanes = 8;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "functional/geometry/polyhedron.h"
+#include "functional/scene/across.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -113,9 +114,7 @@ Corner corner_between(const EdgePlanes& ending, const EdgePlanes& starting, cons
 std::array<glm::dvec4, 3> lid_above(const EndPlane& end_plane, const glm::dvec3& centre,
                                     double radius) {
   const auto up = glm::normalize(glm::dvec3(end_plane.plane));
-  const glm::dvec3 helper = std::abs(up.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 u = glm::normalize(glm::cross(up, helper));
-  const glm::dvec3 v = glm::cross(up, u);
+  const auto [u, v] = Across(up);
   std::array<glm::dvec4, 3> lid;
   for (std::size_t i = 0; i < 3; ++i) {
     const double turn = 2.0 * M_PI * static_cast<double>(i) / 3.0;

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 
 #include "functional/geometry/hull.h"
+#include "functional/scene/across.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -90,9 +91,7 @@ std::vector<SphereNormal> sphere_normals(const Light& light, const Edge& edge) {
     const double between = std::atan2(sin_between, cos_between);
     const double excess = std::acos(cosine[i]) + between - std::acos(cosine[1 - i]);
     const double cap = std::acos(cosine[i]) - std::max(excess, 0.0);
-    const glm::dvec3 helper = std::abs(axis[i].x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 p = glm::normalize(glm::cross(axis[i], helper));
-    const glm::dvec3 q = glm::cross(axis[i], p);
+    const auto [p, q] = Across(axis[i]);
     for (int k = 0; k < 6; ++k) {
       const double angle = 2.0 * M_PI * k / 6.0;
       normals.push_back(

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "functional/scene/across.h"
+
 namespace wedgesim::functional {
 namespace {
 
@@ -109,13 +111,10 @@ double sphere_coverage(const glm::dvec3& point, const glm::dvec3& begin, const g
   const double distance = std::sqrt(distance_squared);
   const glm::dvec3 axis = -point / distance;
   const double tan_half = 1.0 / std::sqrt(distance_squared - 1.0);
-  const glm::dvec3 helper =
-      std::abs(axis.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-  const glm::dvec3 u = glm::normalize(glm::cross(axis, helper));
-  const glm::dvec3 v = glm::cross(axis, u);
+  const Across across(axis);
   const auto in_cone = [&](const glm::dvec3& e) {
     const glm::dvec3 d = e - point;
-    return glm::dvec3(glm::dot(d, u), glm::dot(d, v), tan_half * glm::dot(d, axis));
+    return glm::dvec3(glm::dot(d, across.u), glm::dot(d, across.v), tan_half * glm::dot(d, axis));
   };
   const glm::dvec3 a = in_cone(begin);
   const glm::dvec3 b = in_cone(end);

@@ -6,13 +6,15 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/limits.h"
 
 namespace wedgesim::functional {
 namespace {
 
-// Wide enough for a 16384-pixel frame, narrow enough that 24 bits and a sign hold 1/256 pixels.
-constexpr double kGuardLow = -32768.0;
-constexpr double kGuardHigh = 49152.0;
+// Two frames beyond each edge of the largest, narrow enough that 24 bits and a sign hold 1/256
+// pixels.
+constexpr double kGuardLow = -2.0 * kMaxFrameEdge;
+constexpr double kGuardHigh = 3.0 * kMaxFrameEdge;
 
 // Inside iff dot(plane, homogeneous window point) >= 0.
 const std::array<glm::dvec4, 5> kClipPlanes{

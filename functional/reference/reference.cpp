@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "base/check.h"
+#include "functional/scene/across.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -73,9 +74,8 @@ Aperture aperture_from(const Light& light, const glm::dvec3& p) {
   if (light.shape == LightShape::sphere && distance > light.radius) {
     radius = light.radius * distance / std::sqrt(distance * distance - light.radius * light.radius);
   }
-  const glm::dvec3 helper = std::abs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 u = glm::normalize(glm::cross(axis, helper));
-  return {light.centre, radius * u, radius * glm::cross(axis, u), true};
+  const auto [u, v] = Across(axis);
+  return {light.centre, radius * u, radius * v, true};
 }
 
 // The unit square onto the unit disc, equal areas to equal areas (Shirley and Chiu).

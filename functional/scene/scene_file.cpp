@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "base/error.h"
+#include "base/limits.h"
 #include "base/toml_table.h"
 #include "functional/scene/built_in.h"
 #include "functional/scene/camera_path.h"
@@ -17,8 +18,6 @@
 
 namespace wedgesim::functional {
 namespace {
-
-constexpr int kMaxPixels = 16384;  // each way
 
 struct Source {
   std::string name;            // of the scene
@@ -111,7 +110,7 @@ void set_frame(Scene& scene, const CameraFile& file, int frame, const std::strin
 
 void set_size(Scene& scene, const TomlTable& table, const SceneOptions& options) {
   const glm::dvec2 size = table.vec2("size", glm::dvec2(scene.width, scene.height),
-                                     {1.0, static_cast<double>(kMaxPixels)});
+                                     {1.0, static_cast<double>(kMaxFrameEdge)});
   if (size.x != std::floor(size.x) || size.y != std::floor(size.y)) {
     table.fail("size", "is not whole", "pixels [width, height]");
   }
@@ -119,9 +118,9 @@ void set_size(Scene& scene, const TomlTable& table, const SceneOptions& options)
   scene.height = static_cast<int>(size.y);
   if (options.size) {
     const auto [width, height] = *options.size;
-    if (width < 1 || height < 1 || width > kMaxPixels || height > kMaxPixels) {
+    if (width < 1 || height < 1 || width > kMaxFrameEdge || height > kMaxFrameEdge) {
       throw InputError("--size", fmt::format("{}x{}", width, height),
-                       fmt::format("1 to {} pixels each way", kMaxPixels));
+                       fmt::format("1 to {} pixels each way", kMaxFrameEdge));
     }
     scene.width = width;
     scene.height = height;

@@ -12,7 +12,7 @@ namespace wedgesim::functional {
 
 /// What the command line may change in a scene.
 struct SceneOptions {
-  std::optional<std::pair<int, int>> size;    // pixels, 1 to 16384 each way
+  std::optional<std::pair<int, int>> size;    // pixels, 1 to kMaxFrameEdge each way
   int frame = 0;                              // of the camera path
   std::optional<std::filesystem::path> mesh;  // takes the place of the object with shape = "user"
   bool repair = false;                        // repair every caster that is not closed
