@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/toml_table.h"
 #include "model/memory/config_check.h"
 
 namespace wedgesim::model::memory {
@@ -57,7 +58,7 @@ const std::array<DramPreset, 3>& dram_presets() {
                   .wr = 26,
                   .wtr_s = 9,
                   .wtr_l = 11,
-                  .turnaround = 1,
+                  .turnaround = 4,
                   .refi = 3333,
                   .rfc = 210}},
       DramPreset{"hbm2-2000",
@@ -85,11 +86,21 @@ const std::array<DramPreset, 3>& dram_presets() {
                   .wr = 14,
                   .wtr_s = 4,
                   .wtr_l = 9,
-                  .turnaround = 1,
+                  .turnaround = 5,
                   .refi = 3900,
                   .rfc = 220}},
   };
   return kPresets;
+}
+
+DramConfig read_dram(const TomlTable& table) {
+  DramConfig config = dram_preset(table.text("preset", "lpddr4-3200"), table.place("preset"));
+  for (const DramKey& key : kDramKeys) {
+    int& value = config.*key.value;
+    value = table.integer(key.key, value, key.low, key.high);
+  }
+  check(config, table.place());
+  return config;
 }
 
 const DramConfig& dram_preset(std::string_view name, std::string_view place) {

@@ -3,6 +3,10 @@
 #include <array>
 #include <string_view>
 
+namespace wedgesim {
+class TomlTable;
+}
+
 namespace wedgesim::model::memory {
 
 /// A DRAM: its organization, and its timing in cycles of its command clock. The meaning and the
@@ -14,10 +18,10 @@ struct DramConfig {
   int queue_bursts = 32;
 
   int burst_cycles = 8, ccd_s = 8, ccd_l = 8;
-  int read_latency = 31, write_latency = 14;
+  int read_latency = 31, write_latency = 15;
   int rcd_read = 29, rcd_write = 29, rp = 29, ras = 68;
   int rrd_s = 16, rrd_l = 16, faw = 64;
-  int rtp = 12, wr = 29, wtr_s = 16, wtr_l = 16, turnaround = 2;
+  int rtp = 12, wr = 29, wtr_s = 16, wtr_l = 16, turnaround = 3;
   int refi = 6246, rfc = 448;
 
   /// Bytes a second on the data buses of all channels together.
@@ -76,6 +80,12 @@ struct DramPreset {
 
 /// The memories that a configuration can name.
 const std::array<DramPreset, 3>& dram_presets();
+
+/// The preset that the key `preset` names (lpddr4-3200 without one), with the keys of kDramKeys
+/// that the table sets besides. \throws InputError naming file, line and key if one is out of
+/// range; unknown keys are for the
+///         caller to reject
+DramConfig read_dram(const TomlTable& table);
 
 /// \throws InputError listing the names that exist
 const DramConfig& dram_preset(std::string_view name, std::string_view place);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/toml_table.h"
 #include "tests/support/expect_input_error.h"
 
 namespace wedgesim::model::memory {
@@ -51,6 +52,29 @@ TEST(DramConfig, KeysMustFitEachOther) {
             "block.toml:5: 'interleave_bytes' is 16; expected an integer from 32 to 2048");
   EXPECT_EQ(error(&DramConfig::refi, 448),
             "block.toml:5: 'refi' is 448; expected an integer from 449 to 1000000");
+}
+
+TEST(DramConfig, AFileChangesAPreset) {
+  const auto read = [](const std::string& text) {
+    const toml::table root = parse_toml(text, "block.toml");
+    const TomlTable table(root, "block.toml");
+    const DramConfig config = read_dram(table);
+    table.reject_unknown();
+    return config;
+  };
+  EXPECT_EQ(read("").rp, 29);
+  const DramConfig config = read("preset = 'hbm2-2000'\nchannels = 8\n");
+  EXPECT_EQ(config.channels, 8);
+  EXPECT_EQ(config.rp, 14);
+  const auto error_of = [&](const std::string& text) {
+    return input_error_of([&] { read(text); });
+  };
+  EXPECT_EQ(error_of("\npreset = 'ddr5'"),
+            "block.toml:2: unknown memory 'ddr5'; expected one of lpddr4-3200, gddr6-14000, "
+            "hbm2-2000");
+  EXPECT_EQ(error_of("\nrp = 0"), "block.toml:2: 'rp' is 0; expected an integer from 1 to 256");
+  EXPECT_EQ(error_of("banks = 12").substr(0, 27), "block.toml:1: 'banks' is 12");
+  EXPECT_EQ(error_of("rpp = 12").substr(0, 31), "block.toml:1: unknown key 'rpp'");
 }
 
 }  // namespace
