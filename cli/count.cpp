@@ -18,13 +18,24 @@ namespace {
 
 struct Arguments {
   CountArguments count;
-  std::string file, json, maps, datapath = "exact", needs = "all";
+  std::string file, json, maps, datapath = "exact", formats, needs = "all";
 };
+
+model::Datapath datapath_of(const Arguments& arguments) {
+  model::Datapath datapath(model::parse<model::LiFormat>("--datapath", arguments.datapath));
+  if (arguments.formats.empty()) return datapath;
+  if (datapath.kind != model::LiFormat::fixed) {
+    throw InputError("--formats", "given with --datapath " + arguments.datapath,
+                     "--datapath fixed, the one whose widths may be chosen");
+  }
+  datapath.formats = model::datapath::read_formats(arguments.formats);
+  return datapath;
+}
 
 int run(const Arguments& arguments) {
   const std::vector<model::CountConfig> configs = arguments.count.configs();
   model::CountOptions options;
-  options.li_format = model::parse<model::LiFormat>("--datapath", arguments.datapath);
+  options.datapath = datapath_of(arguments);
   options.maps = !arguments.maps.empty();
   parse_choice<int>("--needs", arguments.needs, {{"all", 0}});
   if (options.maps && configs.size() != 1) {
@@ -40,13 +51,12 @@ int run(const Arguments& arguments) {
     results = model::count(trace.view(), configs, options);
   }
   if (!arguments.json.empty()) {
-    reports::write_json(arguments.json, reports::count_json(info, results, options.li_format));
+    reports::write_json(arguments.json, reports::count_json(info, results, options.datapath));
   }
   fmt::print("{}", reports::count_text(info, results));
   if (options.maps) {
-    fmt::print("maps: {}\n",
-               reports::to_text(reports::write_maps(arguments.maps, trace.view(), results.front(),
-                                                    options.li_format)));
+    fmt::print("maps: {}\n", reports::to_text(reports::write_maps(
+                                 arguments.maps, trace.view(), results.front(), options.datapath)));
   }
   return reports::held(results) ? 0 : 1;
 }
@@ -60,9 +70,12 @@ Command add_count(CLI::App& program) {
   app->add_option("FILE", arguments->file, "A trace")->required()->type_name("");
   arguments->count.add_to(*app);
   app->add_option("--datapath", arguments->datapath,
-                  "Arithmetic of LI: rounded to 2^-40, or integers of 255 as in Papers I and II")
-      ->type_name("exact|paper255")
+                  "Arithmetic: double precision, the hardware's integers, or LI words of 255 as in "
+                  "Papers I and II")
+      ->type_name("exact|fixed|paper255")
       ->capture_default_str();
+  app->add_option("--formats", arguments->formats, "Widths of the fixed datapath, TOML")
+      ->type_name("FILE");
   app->add_option("--needs", arguments->needs, "Casters that are counted")
       ->type_name("all")
       ->capture_default_str();

@@ -126,6 +126,12 @@ std::string pixels_text(std::span<const CountResult> results) {
       "plus sensitivity)\n",
       grouped(first.compared), configurations, max_error, rms_error, grouped(mismatched),
       first.tolerance);
+  for (const CountResult& result : results) {
+    if (!result.first_overflow) continue;
+    text += fmt::format("OVERFLOW: {}: {} pixels, first {},{}\n", label(result),
+                        grouped(result.counters->li_overflow_pixels.value()),
+                        (*result.first_overflow)[0], (*result.first_overflow)[1]);
+  }
   if (wrong > 0) text += fmt::format("tile tests lost {} contributions\n", grouped(wrong));
   for (const CountResult& result : results) {
     if (held(result)) continue;

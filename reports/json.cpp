@@ -30,9 +30,23 @@ Json pixels_json(const model::PixelCheck& pixels) {
                      {"error", pixel.error},
                      {"sensitivity", pixel.sensitivity}});
   }
-  return {{"compared", pixels.compared},   {"max_error", pixels.max_error},
-          {"rms_error", pixels.rms_error}, {"mismatched", pixels.mismatched},
-          {"tolerance", pixels.tolerance}, {"worst", worst}};
+  return {{"compared", pixels.compared},
+          {"max_error", pixels.max_error},
+          {"rms_error", pixels.rms_error},
+          {"rms_penumbra", pixels.rms_penumbra},
+          {"mismatched", pixels.mismatched},
+          {"tolerance", pixels.tolerance},
+          {"worst", worst}};
+}
+
+// Only those of the fixed datapath may be chosen.
+void add_formats(Json& configuration, const model::Datapath& datapath) {
+  if (datapath.kind != model::LiFormat::fixed) return;
+  model::datapath::Formats formats = datapath.formats;
+  Json& json = configuration["formats"];
+  for (const auto& width : model::datapath::kWidths) {
+    json[std::string(width.key)] = width.of(formats);
+  }
 }
 
 // The distinct values of one option.
@@ -61,7 +75,7 @@ Json to_json(const TraceInfo& trace) {
           {"wedges", trace.wedges}};
 }
 
-Json to_json(const model::CountResult& result, model::LiFormat format) {
+Json to_json(const model::CountResult& result, const model::Datapath& datapath) {
   const CountConfig& config = result.config;
   return {{"mode", spelling(config.mode)},
           {"tile", config.tile},
@@ -72,7 +86,7 @@ Json to_json(const model::CountResult& result, model::LiFormat format) {
           {"share", spelling(config.share)},
           {"z", result.z == model::ZMethod::pass ? "pass" : "fail"},
           {"tile_build", spelling(config.tile_build)},
-          {"datapath", spelling(format)},
+          {"datapath", spelling(datapath.kind)},
           {"counters", counters_json(*result.counters)},
           {"totals",
            {{"accesses", accesses_of(result).total()},
@@ -80,36 +94,39 @@ Json to_json(const model::CountResult& result, model::LiFormat format) {
             {"all_bytes", result.counters->all_bytes.value()}}},
           {"pixels", pixels_json(result.pixels)},
           {"wrong_contributions", result.wrong_contributions},
+          {"first_overflow", result.first_overflow ? Json(*result.first_overflow) : Json()},
           {"timing", {{"seconds", result.seconds}}}};
 }
 
-Json to_json(const std::vector<CountConfig>& configs, model::LiFormat format) {
+Json to_json(const std::vector<CountConfig>& configs, const model::Datapath& datapath) {
   const auto spelled = [&configs](auto CountConfig::*option) {
     return values_of(configs,
                      [option](const CountConfig& config) { return spelling(config.*option); });
   };
-  return {{"mode", spelled(&CountConfig::mode)},
-          {"tile", values_of(configs, [](const CountConfig& config) { return config.tile; })},
-          {"cull", spelled(&CountConfig::cull)},
-          {"umbra_cull", spelled(&CountConfig::umbra_cull)},
-          {"accept", spelled(&CountConfig::accept)},
-          {"share", spelled(&CountConfig::share)},
-          {"z", spelled(&CountConfig::z)},
-          {"tile_build", spelled(&CountConfig::tile_build)},
-          {"datapath", spelling(format)}};
+  Json json{{"mode", spelled(&CountConfig::mode)},
+            {"tile", values_of(configs, [](const CountConfig& config) { return config.tile; })},
+            {"cull", spelled(&CountConfig::cull)},
+            {"umbra_cull", spelled(&CountConfig::umbra_cull)},
+            {"accept", spelled(&CountConfig::accept)},
+            {"share", spelled(&CountConfig::share)},
+            {"z", spelled(&CountConfig::z)},
+            {"tile_build", spelled(&CountConfig::tile_build)},
+            {"datapath", spelling(datapath.kind)}};
+  add_formats(json, datapath);
+  return json;
 }
 
 Json count_json(const TraceInfo& trace, const std::vector<model::CountResult>& results,
-                model::LiFormat format) {
+                const model::Datapath& datapath) {
   std::vector<CountConfig> configs;
   Json entries = Json::array();
   for (const model::CountResult& result : results) {
     configs.push_back(result.config);
-    entries.push_back(to_json(result, format));
+    entries.push_back(to_json(result, datapath));
   }
   return {{"schema", "wedgesim.count/1"},
           {"trace", to_json(trace)},
-          {"configuration", to_json(configs, format)},
+          {"configuration", to_json(configs, datapath)},
           {"configs", std::move(entries)}};
 }
 

@@ -25,13 +25,13 @@ TraceInfo info_of(const traces::TraceView& trace);
 
 Json to_json(const TraceInfo& trace);
 /// One element of "configs". Nothing in it varies between identical runs but "timing".
-Json to_json(const model::CountResult& result, model::LiFormat format);
+Json to_json(const model::CountResult& result, const model::Datapath& datapath);
 /// The effective "configuration" of a set: each option's values, in the order of their first use.
-Json to_json(const std::vector<model::CountConfig>& configs, model::LiFormat format);
+Json to_json(const std::vector<model::CountConfig>& configs, const model::Datapath& datapath);
 
 /// The result of `count`, schema wedgesim.count/1.
 Json count_json(const TraceInfo& trace, const std::vector<model::CountResult>& results,
-                model::LiFormat format);
+                const model::Datapath& datapath);
 
 /// Writes a file, whole or not at all.
 void write_json(const std::filesystem::path& path, const Json& json);

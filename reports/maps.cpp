@@ -33,10 +33,10 @@ float maximum_of(std::span<const float> values, float at_least) {
 
 // In double: far finer than the single precision of the maps.
 std::vector<float> differences(std::span<const double> expected, std::span<const std::int64_t> li,
-                               model::LiFormat format) {
+                               const model::Datapath& datapath) {
   std::vector<float> values(li.size());
   for (std::size_t i = 0; i < li.size(); ++i) {
-    const double value = static_cast<double>(li[i]) / model::word_one(format);
+    const double value = static_cast<double>(li[i]) / datapath.one();
     values[i] = static_cast<float>(std::abs(value - expected[i]));
   }
   return values;
@@ -49,19 +49,19 @@ std::string to_text(const MapScales& scales) {
                      scales.li_writes, scales.difference);
 }
 
-std::vector<float> light_of(const model::CountResult& result, model::LiFormat format) {
+std::vector<float> light_of(const model::CountResult& result, const model::Datapath& datapath) {
   std::vector<float> values(result.li.size());
-  std::ranges::transform(result.li, values.begin(), [format](std::int64_t word) {
-    return static_cast<float>(static_cast<double>(word) / model::word_one(format));
+  std::ranges::transform(result.li, values.begin(), [&datapath](std::int64_t word) {
+    return static_cast<float>(static_cast<double>(word) / datapath.one());
   });
   return values;
 }
 
 MapScales write_maps(const std::string& prefix, const traces::TraceView& trace,
-                     const model::CountResult& result, model::LiFormat format) {
+                     const model::CountResult& result, const model::Datapath& datapath) {
   const auto width = static_cast<int>(trace.header.width);
   const auto height = static_cast<int>(trace.header.height);
-  const std::vector<float> li = light_of(result, format);
+  const std::vector<float> li = light_of(result, datapath);
   const std::vector<float> reads = floats_of(result.z_reads);
   const std::vector<float> writes = floats_of(result.li_writes);
   CHECK_EQ(li.size(), trace.depth.size());
@@ -78,7 +78,7 @@ MapScales write_maps(const std::string& prefix, const traces::TraceView& trace,
       [&](const char* kind) { write_values(prefix + "_li" + kind, li, width, height); }};
   std::vector<float> difference;
   if (!trace.expected_li.empty()) {
-    difference = differences(trace.expected_li, result.li, format);
+    difference = differences(trace.expected_li, result.li, datapath);
     scales.difference = maximum_of(difference, kSmallestDifferenceScale);
     files.emplace_back([&](const char* kind) {
       write_heat(prefix + "_difference" + kind, difference, width, height, scales.difference);

@@ -19,13 +19,13 @@ std::string to_text(const MapScales& scales);
 /// LI of the finished frame, 1 = fully lit, not clamped.
 /// \param result  counted with maps
 /// \return (height, width)
-std::vector<float> light_of(const model::CountResult& result, model::LiFormat format);
+std::vector<float> light_of(const model::CountResult& result, const model::Datapath& datapath);
 
 /// Writes PREFIX_z_reads, PREFIX_li_writes, PREFIX_li and, if the trace holds an expected LI,
 /// PREFIX_difference, each as .png and .exr.
 /// \param result  counted with maps
 /// \throws InputError if a file cannot be written
 MapScales write_maps(const std::string& prefix, const traces::TraceView& trace,
-                     const model::CountResult& result, model::LiFormat format);
+                     const model::CountResult& result, const model::Datapath& datapath);
 
 }  // namespace wedgesim::reports

@@ -22,8 +22,9 @@ enum class Share { eye, all };
 enum class ZChoice { automatic, pass, fail };
 /// When the tiles' zmin and zmax are made from the z-buffer; `none`: they are there for nothing.
 enum class TileBuild { eager, lazy, none };
-/// exact: contributions rounded to 2^-40. paper255: integers, 255 is fully lit (Papers I and II).
-enum class LiFormat { exact, paper255 };
+/// exact: double precision, contributions rounded to 2^-40. fixed: the hardware's arithmetic
+/// (model/datapath). paper255: exact, but words are integers, 255 is lit (Papers I and II).
+enum class LiFormat { exact, fixed, paper255 };
 
 /// The words of an option, in the order of its enumerators.
 template <typename E>
@@ -44,7 +45,7 @@ inline constexpr std::array<std::string_view, 3> kSpellings<ZChoice>{"auto", "pa
 template <>
 inline constexpr std::array<std::string_view, 3> kSpellings<TileBuild>{"eager", "lazy", "none"};
 template <>
-inline constexpr std::array<std::string_view, 2> kSpellings<LiFormat>{"exact", "paper255"};
+inline constexpr std::array<std::string_view, 3> kSpellings<LiFormat>{"exact", "fixed", "paper255"};
 
 namespace detail {
 /// \throws InputError naming the option and all words it takes

@@ -212,6 +212,9 @@ double coverage(const SphereTerms& terms, double x, double y, double z) {
 }
 
 double contribution(const LightTerms& terms, double x, double y, double z) {
+  if (const auto* fixed = std::get_if<FixedTerms>(&terms)) {
+    return datapath::contribution(fixed->setup, datapath::place(x, y, z), fixed->round);
+  }
   if (const auto* linear = std::get_if<LinearTerms>(&terms)) return intensity(*linear, x, y, z);
   if (const auto* sphere = std::get_if<SphereTerms>(&terms)) return coverage(*sphere, x, y, z);
   return coverage(std::get<RectangleTerms>(terms), x, y, z);

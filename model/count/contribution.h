@@ -8,6 +8,7 @@
 
 #include "model/count/config.h"
 #include "model/count/plane.h"
+#include "model/datapath/setup.h"
 #include "traces/trace.h"
 
 namespace wedgesim::model {
@@ -43,9 +44,15 @@ struct SphereTerms {
   glm::dvec3 normal{0.0};  // begin x end
 };
 
-using LightTerms = std::variant<LinearTerms, RectangleTerms, SphereTerms>;
+/// Any of them, in the arithmetic of the fixed datapath.
+struct FixedTerms {
+  datapath::LightSetup setup;
+  datapath::Rounder round{datapath::Rounder::kMaxBits};
+};
 
-/// Per-wedge constants of the light intensity or coverage.
+using LightTerms = std::variant<LinearTerms, RectangleTerms, SphereTerms, FixedTerms>;
+
+/// Per-wedge constants of the light intensity or coverage, for the exact datapath.
 LightTerms light_terms(const traces::TraceView& trace, const traces::fb::Wedge& wedge);
 
 /// The light intensity s of a `linear` wedge at a point inside, in [0, 1]: 1 at the front plane, 0
@@ -64,9 +71,10 @@ double coverage(const RectangleTerms& terms, double x, double y, double z);
 /// 0 if the point is inside the light.
 double coverage(const SphereTerms& terms, double x, double y, double z);
 
+/// \param z  depth, in steps for FixedTerms
 double contribution(const LightTerms& terms, double x, double y, double z);
 
-/// What 1.0 is in the words of a format.
+/// What 1.0 is in the words of a format that has one width.
 constexpr double word_one(LiFormat format) {
   return format == LiFormat::exact ? 1099511627776.0 : 255.0;
 }

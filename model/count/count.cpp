@@ -43,6 +43,11 @@ struct CommonSums {
   }
 };
 
+const Kernel& kernel_of(const CountOptions& options) {
+  if (options.kernel == KernelChoice::scalar) return scalar_kernel();
+  return options.datapath.kind == LiFormat::fixed ? fixed_kernel() : simd_kernel();
+}
+
 /// What one thread works with.
 struct Worker {
   Footprint footprint;
@@ -79,6 +84,7 @@ class Traversal {
   CountOptions options_;
   const Kernel& kernel_;
   std::span<const CountConfig> configs_;
+  Operands operands_;
   ZFrame frame_;
   LightImage image_;
   std::vector<std::uint32_t> lone_;
@@ -93,15 +99,16 @@ Traversal::Traversal(const TraceView& trace, ZMethod method, const CountOptions&
     : trace_(trace),
       method_(method),
       options_(options),
-      kernel_(options.kernel == KernelChoice::scalar ? scalar_kernel() : simd_kernel()),
+      kernel_(kernel_of(options)),
       configs_(configs),
-      frame_(trace),
+      operands_(trace, options.datapath),
+      frame_(operands_),
       image_(frame_),
       lone_(lone_polygons(trace, method)),
       workers_([this] {
         Worker worker;
         for (const auto& [tile, size] : sizes_) {
-          worker.tallies.emplace_back(size.runs, frame_, method_, word_one(options_.li_format));
+          worker.tallies.emplace_back(size.runs, frame_, method_, options_.datapath.one());
         }
         return worker;
       }) {
@@ -122,8 +129,8 @@ void Traversal::walk() {
   const std::size_t wedges = trace_.wedges.size();
   tbb::parallel_for(std::size_t{0}, wedges + lone_.size(), [&](std::size_t i) {
     const Primitive primitive =
-        i < wedges ? wedge_primitive(trace_, method_, static_cast<std::uint32_t>(i))
-                   : lone_primitive(trace_, method_, lone_[i - wedges]);
+        i < wedges ? wedge_primitive(operands_, method_, static_cast<std::uint32_t>(i))
+                   : lone_primitive(operands_, method_, lone_[i - wedges]);
     count_primitive(primitive, workers_.local());
   });
   for (const Worker& worker : workers_) sums_.add(worker.sums);
@@ -146,7 +153,7 @@ void Traversal::count_primitive(const Primitive& primitive, Worker& worker) {
     Footprint& footprint = worker.footprint;
     footprint.build(primitive, frame_, band, kernel_);
     if (footprint.blocks().empty()) continue;
-    image_.add(primitive, footprint, frame_, kernel_, word_one(options_.li_format));
+    image_.add(primitive, footprint, frame_, kernel_, options_.datapath.one());
     for (std::size_t i = 0; i < footprint.blocks().size(); ++i) {
       worker.sums.pixels_covered += bit_count(footprint.outline(i)) + bit_count(footprint.umbra(i));
       worker.sums.pixels_inside += bit_count(footprint.inside(i));
@@ -165,7 +172,7 @@ std::vector<CountResult> Traversal::finish() {
   const bool compare_sky =
       (trace_.header.expected_z_method == traces::fb::ZMethod_fail) == (method_ == ZMethod::fail);
   const FrameSummary right =
-      FinishedFrame(frame_, image_, options_.li_format, {}).summarize(trace_, compare_sky);
+      FinishedFrame(frame_, image_, options_.datapath, {}).summarize(trace_, compare_sky);
   for (const auto& [tile, size] : sizes_) {
     for (std::size_t run = 0; run < size.runs.size(); ++run) {
       CountResult& result = results[size.configs[run]];
@@ -185,7 +192,7 @@ void Traversal::finish_config(const TileSize& size, std::size_t index, const Fra
   std::vector<Correction> corrections = collect(size, index, counters);
   result.wrong_contributions = corrections.size();
   const bool wrong = !corrections.empty();
-  const FinishedFrame finished(frame_, image_, options_.li_format, std::move(corrections));
+  const FinishedFrame finished(frame_, image_, options_.datapath, std::move(corrections));
   const bool compare_sky =
       (trace_.header.expected_z_method == traces::fb::ZMethod_fail) == (method_ == ZMethod::fail);
   const FrameSummary summary = wrong ? finished.summarize(trace_, compare_sky) : right;
@@ -199,6 +206,7 @@ void Traversal::finish_config(const TileSize& size, std::size_t index, const Fra
   counters.z_reads_floor = image_.pixels_inside_any();
   counters.li_writes_floor = summary.li_writes_floor;
   counters.li_overflow_pixels = three_pass ? summary.any_out_of_range : summary.li_out_of_range;
+  result.first_overflow = three_pass ? summary.any_overflow : summary.li_overflow;
   counters.contributions_max = summary.contributions_max;
   const unsigned words = run.face_words | run.umbra_words;
   const std::uint64_t words_a_tile = words == 0 ? 0 : ((words & kZminWord) != 0 ? 2 : 1);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,7 @@ enum class KernelChoice { simd, scalar };
 struct CountOptions {
   unsigned threads = 0;  // 0: all cores
   bool maps = false;     // keep the per-pixel maps and the LI words
-  LiFormat li_format = LiFormat::exact;
+  Datapath datapath;
   KernelChoice kernel = KernelChoice::simd;  // every kernel gives the same bits
 };
 
@@ -31,10 +32,11 @@ struct CountResult {
   /// Contributions that a wrong culling, acceptance or skipped test lost or gained: 0 in a right
   /// block.
   std::uint64_t wrong_contributions = 0;
+  std::optional<std::array<int, 2>> first_overflow;  // x, y of the first of li_overflow_pixels
   // Maps, (height, width); empty unless asked for.
   std::vector<std::uint32_t> z_reads;
   std::vector<std::uint32_t> li_writes;
-  std::vector<std::int64_t> li;  // words: 1.0 is word_one of the format
+  std::vector<std::int64_t> li;  // words: 1.0 is Datapath::one()
   /// Run time of the traversal, shared by all configurations that it served.
   double seconds = 0.0;
 };

@@ -40,7 +40,7 @@ struct Kernel {
                 const std::uint64_t* candidates, UmbraBits* bits);
   /// words[64*i + bit] = the contribution of a pixel of sets[i], with its sign changed if it is in
   /// negated[i]; 0 at other pixels of a block whose set is not empty, undefined if it is.
-  /// \param one  word_one of the format
+  /// \param one  Datapath::one()
   void (*words)(const LightTerms& terms, double one, std::span<const Block> blocks,
                 const std::uint64_t* sets, const std::uint64_t* negated, std::int64_t* words);
 };
@@ -48,7 +48,11 @@ struct Kernel {
 /// The plain loop, which says what the others must give.
 const Kernel& scalar_kernel();
 
-/// By Highway, for every instruction set that this processor runs, the widest first; the first.
+/// For the fixed datapath: integers, block by block.
+const Kernel& fixed_kernel();
+
+/// For the exact datapath, by Highway, for every instruction set that this processor runs, the
+/// widest first; the first.
 const std::vector<Kernel>& simd_kernels();
 const Kernel& simd_kernel();
 

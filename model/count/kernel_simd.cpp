@@ -252,7 +252,15 @@ void words_of(const Terms& terms, double one, std::span<const Block> blocks,
 
 void words(const LightTerms& terms, double one, std::span<const Block> blocks,
            const std::uint64_t* sets, const std::uint64_t* negated, std::int64_t* result) {
-  std::visit([&](const auto& kind) { words_of(kind, one, blocks, sets, negated, result); }, terms);
+  std::visit(
+      [&](const auto& kind) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, FixedTerms>) {
+          scalar_kernel().words(terms, one, blocks, sets, negated, result);
+        } else {
+          words_of(kind, one, blocks, sets, negated, result);
+        }
+      },
+      terms);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ void PixelCounters::add_high(std::size_t block, std::uint64_t set) {
   high.overflowed |= set;
 }
 
-std::uint64_t PixelCounters::counted(std::size_t block) const {
+std::uint64_t PixelCounters::set(std::size_t block) const {
   std::uint64_t any = high_[block].overflowed;
   for (std::uint64_t slice : low_[block]) any |= slice;
   for (std::uint64_t slice : high_[block].slices) any |= slice;
@@ -102,7 +102,7 @@ void LightImage::sums(std::size_t block, std::int64_t* penumbra, std::int32_t* u
 
 std::uint64_t LightImage::pixels_inside_any() const {
   std::uint64_t pixels = 0;
-  for (std::size_t block = 0; block < blocks_; ++block) pixels += bit_count(inside_.counted(block));
+  for (std::size_t block = 0; block < blocks_; ++block) pixels += bit_count(inside_.set(block));
   return pixels;
 }
 

@@ -49,7 +49,7 @@ class PixelCounters {
     for (std::size_t k = 0; k < kHigh; ++k) each(high_[block].slices[k], kLow + k);
   }
   /// Pixels of a block that were counted at least once.
-  std::uint64_t counted(std::size_t block) const;
+  std::uint64_t set(std::size_t block) const;
   /// Pixels of a block that were counted more than kMostContributions times.
   std::uint64_t overflowed(std::size_t block) const { return high_[block].overflowed; }
 
@@ -74,7 +74,7 @@ class LightImage {
   explicit LightImage(const ZFrame& frame);
 
   /// Adds the contributions of all inside pixels and all hits of a footprint.
-  /// \param one  word_one of the format
+  /// \param one  Datapath::one()
   void add(const Primitive& primitive, const Footprint& footprint, const ZFrame& frame,
            const Kernel& kernel, double one);
 
@@ -88,7 +88,9 @@ class LightImage {
   std::uint64_t overflowed(std::size_t block) const {
     return inside_.overflowed(block) | added_.overflowed(block) | subtracted_.overflowed(block);
   }
-  /// Distinct pixels inside at least one wedge.
+  /// Pixels of a block that are inside at least one wedge.
+  std::uint64_t inside_any(std::size_t block) const { return inside_.set(block); }
+  /// How many they are in the frame.
   std::uint64_t pixels_inside_any() const;
 
  private:

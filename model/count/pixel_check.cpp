@@ -12,32 +12,22 @@ namespace {
 constexpr std::size_t kWorst = 10;
 constexpr double kQuiet = 1.0 / 255.0;  // largest sensitivity that the RMS takes in
 
-double tolerance_of(LiFormat format) { return format == LiFormat::exact ? 1e-6 : 2.0 / 255.0; }
-
-// A 16-bit word: S5_11 for the default format, integers for paper255.
-bool li_in_range(std::int64_t word, LiFormat format, std::int64_t one) {
-  if (format == LiFormat::paper255) return word >= -32768 && word < 32768;
-  return word >= -16 * one && word < 16 * one;
-}
-
-bool stencil_in_range(std::int64_t stencil) { return stencil >= -128 && stencil < 128; }
-
 bool worse(const PixelError& a, const PixelError& b) {
   return std::tuple(-std::fabs(a.error), a.y, a.x) < std::tuple(-std::fabs(b.error), b.y, b.x);
 }
 
 class Comparison {
  public:
-  explicit Comparison(LiFormat format) { check_.tolerance = tolerance_of(format); }
+  explicit Comparison(double tolerance) { check_.tolerance = tolerance; }
 
-  void add(const PixelError& pixel) {
+  void add(const PixelError& pixel, bool penumbra) {
     const double size = std::fabs(pixel.error);
     check_.compared += 1;
     check_.max_error = std::max(check_.max_error, size);
     if (size > check_.tolerance + pixel.sensitivity) check_.mismatched += 1;
     if (pixel.sensitivity <= kQuiet) {
-      quiet_ += 1;
-      sum_of_squares_ += size * size;
+      all_.add(size);
+      if (penumbra) penumbra_.add(size);
     }
     if (size == 0.0 || (check_.worst.size() == kWorst && !worse(pixel, check_.worst.back()))) {
       return;
@@ -48,15 +38,32 @@ class Comparison {
   }
 
   PixelCheck finish() {
-    if (quiet_ > 0) check_.rms_error = std::sqrt(sum_of_squares_ / static_cast<double>(quiet_));
+    check_.rms_error = all_.root();
+    check_.rms_penumbra = penumbra_.root();
     return std::move(check_);
   }
 
  private:
+  struct MeanSquare {
+    std::uint64_t count = 0;
+    double sum = 0.0;
+
+    void add(double error) {
+      count += 1;
+      sum += error * error;
+    }
+    double root() const { return count == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(count)); }
+  };
+
   PixelCheck check_;
-  std::uint64_t quiet_ = 0;
-  double sum_of_squares_ = 0.0;
+  MeanSquare all_, penumbra_;
 };
+
+// The first pixel that is bad, by rows, whatever order they come in.
+void note_first(std::optional<std::array<int, 2>>& first, bool bad, int x, int y) {
+  if (!bad) return;
+  if (!first || std::pair(y, x) < std::pair((*first)[1], (*first)[0])) first = {x, y};
+}
 
 // One entry a position, in order, and none that adds nothing.
 std::vector<Correction> gather(std::vector<Correction> corrections) {
@@ -76,12 +83,12 @@ std::vector<Correction> gather(std::vector<Correction> corrections) {
 
 }  // namespace
 
-FinishedFrame::FinishedFrame(const ZFrame& frame, const LightImage& image, LiFormat format,
+FinishedFrame::FinishedFrame(const ZFrame& frame, const LightImage& image, const Datapath& datapath,
                              std::vector<Correction> corrections)
     : frame_(frame),
       image_(image),
-      format_(format),
-      one_(static_cast<std::int64_t>(word_one(format))),
+      datapath_(datapath),
+      one_(static_cast<std::int64_t>(datapath.one())),
       corrections_(gather(std::move(corrections))) {}
 
 FinishedFrame::BlockSums FinishedFrame::sums(std::size_t block) const {
@@ -114,28 +121,32 @@ void FinishedFrame::for_each_pixel(std::uint32_t bx, std::uint32_t by, F&& f) co
 
 FrameSummary FinishedFrame::summarize(const traces::TraceView& trace, bool compare_sky) const {
   FrameSummary summary;
-  Comparison comparison(format_);
+  Comparison comparison(datapath_.tolerance());
   const std::uint32_t sky = traces::sky_word(trace.header.depth_format);
   frame_.for_each_block([&](std::uint32_t bx, std::uint32_t by) {
     const BlockSums block = sums(frame_.block(bx, by));
+    const std::uint64_t inside = image_.inside_any(frame_.block(bx, by));
     for_each_pixel(bx, by, [&](int x, int y, std::size_t bit) {
       const std::int64_t word = block.words[bit];
       const std::int32_t stencil = block.stencil[bit];
       summary.li_writes_floor += word != one_ ? 1 : 0;
       summary.stencil_not_zero += stencil != 0 ? 1 : 0;
-      const bool li_bad = !li_in_range(word, format_, one_);
+      const bool li_bad = !datapath_.li_holds(word);
+      const bool any_bad = li_bad || !datapath_.stencil_holds(stencil);
       summary.li_out_of_range += li_bad ? 1 : 0;
-      summary.any_out_of_range += li_bad || !stencil_in_range(stencil) ? 1 : 0;
+      note_first(summary.li_overflow, li_bad, x, y);
+      note_first(summary.any_overflow, any_bad, x, y);
+      summary.any_out_of_range += any_bad ? 1 : 0;
       summary.contributions_max =
           std::max<std::uint64_t>(summary.contributions_max, block.contributions[bit]);
       const std::size_t pixel =
           static_cast<std::size_t>(y) * trace.header.width + static_cast<std::size_t>(x);
       if (trace.expected_li.empty() || (!compare_sky && trace.depth[pixel] == sky)) return;
-      const double li = static_cast<double>(word) / word_one(format_);
+      const double li = static_cast<double>(word) / datapath_.one();
       const double expected = trace.expected_li[pixel];
       const double sensitivity =
           trace.li_sensitivity.empty() ? 0.0 : static_cast<double>(trace.li_sensitivity[pixel]);
-      comparison.add({x, y, expected, li, li - expected, sensitivity});
+      comparison.add({x, y, expected, li, li - expected, sensitivity}, (inside >> bit & 1) != 0);
     });
   });
   summary.pixels = comparison.finish();

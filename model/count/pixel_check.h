@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct PixelCheck {
   std::uint64_t compared = 0;  // 0 if the trace holds no expected LI
   double max_error = 0.0;
   double rms_error = 0.0;        // over pixels of sensitivity <= 1/255
+  double rms_penumbra = 0.0;     // over those of them that are inside a wedge
   std::uint64_t mismatched = 0;  // |error| > tolerance + sensitivity
   double tolerance = 0.0;
   std::vector<PixelError> worst;  // at most ten, the worst first
@@ -31,11 +33,13 @@ struct PixelCheck {
 
 /// What the finished frame of a configuration says.
 struct FrameSummary {
-  std::uint64_t li_writes_floor = 0;    // final word not fully lit
-  std::uint64_t stencil_not_zero = 0;   // pixels that a merge writes
-  std::uint64_t li_out_of_range = 0;    // LI alone: single-pass
-  std::uint64_t any_out_of_range = 0;   // LI or stencil: three-pass
-  std::uint64_t contributions_max = 0;  // to one pixel
+  std::uint64_t li_writes_floor = 0;               // final word not fully lit
+  std::uint64_t stencil_not_zero = 0;              // pixels that a merge writes
+  std::uint64_t li_out_of_range = 0;               // LI alone: single-pass
+  std::uint64_t any_out_of_range = 0;              // LI or stencil: three-pass
+  std::uint64_t contributions_max = 0;             // to one pixel
+  std::optional<std::array<int, 2>> li_overflow;   // x, y: the first of li_out_of_range
+  std::optional<std::array<int, 2>> any_overflow;  // of any_out_of_range
   PixelCheck pixels;
 };
 
@@ -43,13 +47,13 @@ struct FrameSummary {
 class FinishedFrame {
  public:
   /// \param corrections  of one configuration; empty in a right block
-  FinishedFrame(const ZFrame& frame, const LightImage& image, LiFormat format,
+  FinishedFrame(const ZFrame& frame, const LightImage& image, const Datapath& datapath,
                 std::vector<Correction> corrections);
 
   /// \param compare_sky  sky pixels' expected LI holds for the z method at hand
   FrameSummary summarize(const traces::TraceView& trace, bool compare_sky) const;
 
-  /// (height, width) words; 1.0 is word_one of the format.
+  /// (height, width) words; 1.0 is Datapath::one().
   std::vector<std::int64_t> words() const;
 
  private:
@@ -66,7 +70,7 @@ class FinishedFrame {
 
   const ZFrame& frame_;
   const LightImage& image_;
-  LiFormat format_;
+  Datapath datapath_;
   std::int64_t one_;
   std::vector<Correction> corrections_;  // one a position, sorted
 };

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "model/datapath/inside_test.h"
 #include "traces/trace.h"
 
 namespace wedgesim::model {
@@ -22,17 +23,27 @@ struct Box {
 struct Plane {
   double a = 0.0, b = 0.0, c = 0.0, d = 0.0;
   bool minus = false;
+  /// Of the fixed datapath, which decides in integers; z is in steps.
+  bool fixed = false;
+  datapath::FixedForm form{};
 
   /// Evaluated in the one order that every kernel keeps.
   double value(double x, double y, double z) const { return ((a * x + b * y) + c * z) + d; }
-  bool inside(double x, double y, double z) const { return (value(x, y, z) >= 0.0) != minus; }
+  bool inside(double x, double y, double z) const {
+    if (fixed) return (form.at(datapath::place(x, y, z)) >= 0) != minus;
+    return (value(x, y, z) >= 0.0) != minus;
+  }
   /// The value seen from inside: positive inside, whatever the sign of the reference.
   double inward(double x, double y, double z) const {
     return minus ? -value(x, y, z) : value(x, y, z);
   }
   /// The sign of d(inside)/dz: positive if far points are inside.
   double inward_c() const { return minus ? -c : c; }
-  Plane complement() const { return {a, b, c, d, !minus}; }
+  Plane complement() const {
+    Plane other = *this;
+    other.minus = !minus;
+    return other;
+  }
 
   /// Is the box's corner in x and y that is the most inside, at depth z, inside? If not, no point
   /// of the box at that depth is: rounding is monotone and corners are evaluated as pixels are.
@@ -49,7 +60,7 @@ struct Plane {
 inline Plane resolve(const traces::TraceView& trace, std::uint32_t reference) {
   const traces::fb::Plane& plane = trace.planes[traces::plane_index(reference)];
   // d + 0 turns -0 into +0, so that no value is ever -0 and its sign bit alone decides.
-  return {plane.a(), plane.b(), plane.c(), plane.d() + 0.0, traces::is_minus(reference)};
+  return {plane.a(), plane.b(), plane.c(), plane.d() + 0.0, traces::is_minus(reference), false, {}};
 }
 
 }  // namespace wedgesim::model

@@ -18,23 +18,22 @@ Outline outline_of(const TraceView& trace, const Polygon& polygon) {
   return Outline(vertices);
 }
 
-// Adding 0 turns -0 into +0: no difference of depths is then -0, whose sign bit the kernels read.
-ZInterval interval(double min, double max) { return {min + 0.0, max + 0.0}; }
-
-void add_faces(const TraceView& trace, ZMethod method, const traces::fb::Wedge& wedge,
+void add_faces(const Operands& operands, ZMethod method, const traces::fb::Wedge& wedge,
                Primitive& primitive) {
+  const TraceView& trace = operands.trace();
   for (std::uint32_t i = 0; i < wedge.face_count(); ++i) {
     const traces::fb::Face& face = trace.faces[wedge.first_face() + i];
     Outline outline = outline_of(trace, face);
     if (outline.empty() || outline.eye_facing() != (method == ZMethod::pass)) continue;
-    primitive.faces.push_back(
-        {std::move(outline), resolve(trace, face.plane()), interval(face.z_min(), face.z_max())});
+    primitive.faces.push_back({std::move(outline), operands.plane(face.plane()),
+                               operands.interval(face.z_min(), face.z_max())});
     primitive.face_numbers.push_back(wedge.first_face() + i);
   }
 }
 
-void add_vertex_bounds(const TraceView& trace, const traces::fb::Wedge& wedge,
+void add_vertex_bounds(const Operands& operands, const traces::fb::Wedge& wedge,
                        Primitive& primitive) {
+  const TraceView& trace = operands.trace();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Box box{kInfinity, -kInfinity, kInfinity, -kInfinity, {kInfinity, -kInfinity}};
   for (std::uint32_t i = 0; i < wedge.face_count(); ++i) {
@@ -49,19 +48,21 @@ void add_vertex_bounds(const TraceView& trace, const traces::fb::Wedge& wedge,
       box.z.max = std::max(box.z.max, vertex.z());
     }
   }
+  if (wedge.face_count() > 0) box.z = operands.around(box.z.min, box.z.max);
   primitive.vertex_box = box;
 }
 
-void add_polygon(const TraceView& trace, ZMethod method, std::uint32_t index,
+void add_polygon(const Operands& operands, ZMethod method, std::uint32_t index,
                  Primitive& primitive) {
+  const TraceView& trace = operands.trace();
   const traces::fb::UmbraPolygon& polygon = trace.umbra_polygons[index];
   const bool cap = polygon.role() == traces::fb::UmbraRole_cap;
   if (method == ZMethod::pass && polygon.role() != traces::fb::UmbraRole_side) return;
   RasterUmbra umbra;
   umbra.outline = outline_of(trace, polygon);
   if (umbra.outline.empty()) return;
-  if (!cap) umbra.inner = resolve(trace, polygon.plane());
-  umbra.z = interval(polygon.z_min(), polygon.z_max());
+  if (!cap) umbra.inner = operands.plane(polygon.plane());
+  umbra.z = operands.interval(polygon.z_min(), polygon.z_max());
   umbra.eye_facing = umbra.outline.eye_facing();
   umbra.cap = cap;
   // z-pass counts where an eye-facing polygon passes (inner) or another does (not inner); z-fail
@@ -86,26 +87,27 @@ std::vector<std::uint32_t> lone_polygons(const TraceView& trace, ZMethod method)
   return lone;
 }
 
-Primitive wedge_primitive(const TraceView& trace, ZMethod method, std::uint32_t index) {
+Primitive wedge_primitive(const Operands& operands, ZMethod method, std::uint32_t index) {
+  const TraceView& trace = operands.trace();
   const traces::fb::Wedge& wedge = trace.wedges[index];
   Primitive primitive;
   primitive.wedge = index;
   primitive.coverage = wedge.kind() == traces::fb::WedgeKind_coverage;
   for (std::uint16_t i = 0; i < wedge.plane_count(); ++i) {
-    primitive.planes.push_back(resolve(trace, (*wedge.planes())[i]));
+    primitive.planes.push_back(operands.plane((*wedge.planes())[i]));
   }
-  primitive.z = interval(wedge.z_min(), wedge.z_max());
-  add_faces(trace, method, wedge, primitive);
-  add_vertex_bounds(trace, wedge, primitive);
-  primitive.terms = light_terms(trace, wedge);
-  primitive.inner = resolve(trace, wedge.umbra_plane());
-  if (wedge.umbra() != traces::kNone) add_polygon(trace, method, wedge.umbra(), primitive);
+  primitive.z = operands.interval(wedge.z_min(), wedge.z_max());
+  add_faces(operands, method, wedge, primitive);
+  add_vertex_bounds(operands, wedge, primitive);
+  primitive.terms = operands.terms(wedge);
+  primitive.inner = operands.plane(wedge.umbra_plane());
+  if (wedge.umbra() != traces::kNone) add_polygon(operands, method, wedge.umbra(), primitive);
   return primitive;
 }
 
-Primitive lone_primitive(const TraceView& trace, ZMethod method, std::uint32_t polygon) {
+Primitive lone_primitive(const Operands& operands, ZMethod method, std::uint32_t polygon) {
   Primitive primitive;
-  add_polygon(trace, method, polygon, primitive);
+  add_polygon(operands, method, polygon, primitive);
   return primitive;
 }
 

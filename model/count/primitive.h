@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/count/contribution.h"
+#include "model/count/operands.h"
 #include "model/count/plane.h"
 #include "model/count/raster.h"
 #include "traces/trace.h"
@@ -62,8 +63,8 @@ struct Primitive {
 /// The umbra polygons that come without a wedge and take part.
 std::vector<std::uint32_t> lone_polygons(const traces::TraceView& trace, ZMethod method);
 
-Primitive wedge_primitive(const traces::TraceView& trace, ZMethod method, std::uint32_t wedge);
-Primitive lone_primitive(const traces::TraceView& trace, ZMethod method, std::uint32_t polygon);
+Primitive wedge_primitive(const Operands& operands, ZMethod method, std::uint32_t wedge);
+Primitive lone_primitive(const Operands& operands, ZMethod method, std::uint32_t polygon);
 
 /// The one predicate at a pixel: is the point on the inner side of the umbra polygon?
 /// \param covered  the polygon covers the pixel: then a z outside its own interval decides first

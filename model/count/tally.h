@@ -42,7 +42,7 @@ struct ConfigRun {
 class TileTally {
  public:
   /// \param runs  of the same tile size
-  /// \param one   word_one of the format
+  /// \param one   Datapath::one()
   TileTally(std::span<ConfigRun* const> runs, const ZFrame& frame, ZMethod method, double one);
 
   void count(const Primitive& primitive, const Footprint& footprint);

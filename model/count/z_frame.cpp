@@ -3,9 +3,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "base/check.h"
-#include "traces/depth.h"
 
 namespace wedgesim::model {
 namespace {
@@ -14,19 +14,19 @@ std::uint32_t ceil_div(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / 
 
 }  // namespace
 
-ZFrame::ZFrame(const traces::TraceView& trace)
-    : width_(static_cast<int>(trace.header.width)),
-      height_(static_cast<int>(trace.header.height)),
-      blocks_x_(ceil_div(trace.header.width, kBlock)),
-      blocks_y_(ceil_div(trace.header.height, kBlock)),
-      z_(block_count() * kBlockPixels, 1.0),
+ZFrame::ZFrame(const Operands& operands)
+    : width_(static_cast<int>(operands.trace().header.width)),
+      height_(static_cast<int>(operands.trace().header.height)),
+      blocks_x_(ceil_div(operands.trace().header.width, kBlock)),
+      blocks_y_(ceil_div(operands.trace().header.height, kBlock)),
+      z_(block_count() * kBlockPixels, operands.far()),
       intervals_(block_count()) {
+  const traces::TraceView& trace = operands.trace();
   CHECK_EQ(trace.depth.size(), std::size_t{trace.header.width} * trace.header.height);
   tbb::parallel_for(0, height_, [&](int y) {
     const std::size_t row = static_cast<std::size_t>(y) * trace.header.width;
     for (int x = 0; x < width_; ++x) {
-      z_[position(x, y)] = traces::decode_depth(trace.header.depth_format,
-                                                trace.depth[row + static_cast<std::size_t>(x)]);
+      z_[position(x, y)] = operands.depth(trace.depth[row + static_cast<std::size_t>(x)]);
     }
   });
   tbb::parallel_for(std::size_t{0}, block_count(), [&](std::size_t block) {
@@ -45,7 +45,7 @@ TileDepths::TileDepths(const ZFrame& frame, unsigned tile)
   tbb::parallel_for(std::uint32_t{0}, tiles_y_, [&](std::uint32_t ty) {
     for (std::uint32_t tx = 0; tx < tiles_x_; ++tx) {
       const Box edges = box(tx, ty);
-      ZInterval z{1.0, 0.0};
+      ZInterval z{std::numeric_limits<double>::infinity(), 0.0};
       for (int y = static_cast<int>(edges.y0); y < static_cast<int>(edges.y1); ++y) {
         for (int x = static_cast<int>(edges.x0); x < static_cast<int>(edges.x1); ++x) {
           z.min = std::min(z.min, frame.z(x, y));

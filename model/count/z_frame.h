@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/count/plane.h"
+#include "model/count/operands.h"
 #include "traces/trace.h"
 
 namespace wedgesim::model {
@@ -17,7 +17,7 @@ inline constexpr int kBlockPixels = kBlock * kBlock;
 /// block * kBlockPixels + bit. Pixels that only pad the frame to whole blocks have depth 1.
 class ZFrame {
  public:
-  explicit ZFrame(const traces::TraceView& trace);
+  explicit ZFrame(const Operands& operands);
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -44,6 +44,13 @@ struct Place {
   std::int64_t z = 0;         // steps
 };
 
+/// \param x, y  pixels, multiples of 1/2
+/// \param z     steps
+inline Place place(double x, double y, double z) {
+  return {static_cast<std::int64_t>(2.0 * x), static_cast<std::int64_t>(2.0 * y),
+          static_cast<std::int64_t>(z)};
+}
+
 /// A linear form of the fixed datapath: value = (((a x + b y) + c z) + d) * 2^exponent in integers,
 /// x and y in half pixels, z in steps.
 ///

@@ -11,8 +11,7 @@ namespace wedgesim::model::datapath {
 
 /// The widths of the fixed datapath that may be chosen.
 struct Formats {
-  int plane_bits = 51;        // of a plane's value in inside and box tests
-  int form_bits = 58;         // of the linear forms of light intensity and coverage
+  int form_bits = 58;         // of the values of planes and other linear forms
   int significand_bits = 18;  // of every operator on them
   LiWord li;
   int stencil_bits = 8;
@@ -31,12 +30,9 @@ struct Width {
 
 // clang-format off
 inline constexpr std::array kWidths{
-    Width{"plane_bits", [](Formats& f) -> int& { return f.plane_bits; }, 24, 51,
-          "bits of a plane's value in inside and box tests, sign included",
-          "a quarter of a step of unorm24"},
     Width{"form_bits", [](Formats& f) -> int& { return f.form_bits; }, 24, 62,
-          "bits of a linear form's value in intensity and coverage, sign included",
-          "ratios near contact; 2 more than the pixel bars need"},
+          "bits of the value of a plane or another linear form, sign included",
+          "signs and ratios near contact; 2 more than the pixel bars need"},
     Width{"significand_bits", [](Formats& f) -> int& { return f.significand_bits; }, Rounder::kMinBits, Rounder::kMaxBits,
           "significant bits of every operator of intensity and coverage",
           "2 more than the pixel bars need"},

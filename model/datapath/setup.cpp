@@ -120,7 +120,7 @@ DiscSetup disc_setup(const Matrix4& light_from_window, const glm::dvec3& begin,
 
 FixedPlane plane_setup(const traces::TraceView& trace, std::uint32_t reference, const ZSteps& steps,
                        const Formats& formats) {
-  return {quantize_alone(plane_form(trace, reference), steps, formats.plane_bits),
+  return {quantize_alone(plane_form(trace, reference), steps, formats.form_bits),
           traces::is_minus(reference)};
 }
 

@@ -55,10 +55,10 @@ TEST(Json, AResultHasItsTotalsAndTheFloorOfTheFrame) {
 
 TEST(Json, APixelCheckIsToldWhole) {
   model::CountResult result = make_result({}, 5, 3);
-  result.pixels = {6, 0.5, 0.25, 3, 0.125, {}};
+  result.pixels = {6, 0.5, 0.25, 0.75, 3, 0.125, {}};
   EXPECT_EQ(to_json(result, model::LiFormat::exact)["pixels"].dump(),
-            R"({"compared":6,"max_error":0.5,"rms_error":0.25,"mismatched":3,)"
-            R"("tolerance":0.125,"worst":[]})");
+            R"({"compared":6,"max_error":0.5,"rms_error":0.25,"rms_penumbra":0.75,)"
+            R"("mismatched":3,"tolerance":0.125,"worst":[]})");
 }
 
 TEST(Json, APixelCheckListsItsWorstPixels) {

@@ -423,7 +423,7 @@ TEST(Count, Paper255CountsInIntegers) {
   CountOptions options;
   options.maps = true;
   const auto exact = count(trace.view(), {&config, 1}, options);
-  options.li_format = LiFormat::paper255;
+  options.datapath = LiFormat::paper255;
   const auto paper = count(trace.view(), {&config, 1}, options);
   const auto most = static_cast<double>(paper[0].counters->contributions_max.value());
   bool shaded = false;

@@ -75,6 +75,40 @@ TEST(Kernel, EveryInstructionSetFindsTheSamePixelsInside) {
   EXPECT_GT(found, 1000u);
 }
 
+// Block by block from the value at a corner, against one pixel at a time.
+TEST(Kernel, TheFixedOneFindsWhatThePlainLoopFinds) {
+  std::size_t found = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    std::mt19937 random(seed);
+    const traces::Trace trace = test::random_tetrahedra(random, 56, 56, 4);
+    const traces::TraceView view = trace.view();
+    const Operands operands(view, LiFormat::fixed);
+    Pixels pixels = random_pixels(random, 49);
+    for (double& z : pixels.depths) z = std::floor(z * operands.far());
+    for (Block& block : pixels.blocks) block.z_interval = around(block.z);
+    for (std::uint32_t w = 0; w < 4; ++w) {
+      const Primitive wedge = wedge_primitive(operands, ZMethod::pass, w);
+      std::vector<std::uint64_t> expected(49), actual(49);
+      scalar_kernel().inside(wedge, pixels.blocks, pixels.sets.data(), expected.data());
+      fixed_kernel().inside(wedge, pixels.blocks, pixels.sets.data(), actual.data());
+      for (std::uint64_t bits : expected) found += static_cast<std::size_t>(std::popcount(bits));
+      ASSERT_EQ(actual, expected) << "seed " << seed;
+      std::vector<UmbraBits> umbra(49), fixed(49);
+      const ZInterval interval{pixels.depths[64 + 3], pixels.depths[64 + 9]};
+      for (const Plane& plane : wedge.planes) {
+        scalar_kernel().umbra(plane, interval, pixels.blocks, pixels.sets.data(), umbra.data());
+        fixed_kernel().umbra(plane, interval, pixels.blocks, pixels.sets.data(), fixed.data());
+        for (std::size_t i = 0; i < 49; ++i) {
+          ASSERT_EQ(fixed[i].inner, umbra[i].inner) << "seed " << seed;
+          ASSERT_EQ(fixed[i].before, umbra[i].before) << "seed " << seed;
+          ASSERT_EQ(fixed[i].beyond, umbra[i].beyond) << "seed " << seed;
+        }
+      }
+    }
+  }
+  EXPECT_GT(found, 1000u);
+}
+
 TEST(Kernel, EveryInstructionSetDecidesUmbraAlike) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     std::mt19937 random(seed);

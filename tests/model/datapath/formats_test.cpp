@@ -31,11 +31,10 @@ TEST_F(FormatsFile, ChangesOnlyWhatItNames) {
   EXPECT_EQ(formats.li.fraction_bits, 14);
   EXPECT_EQ(formats.form_bits, 40);
   EXPECT_EQ(formats.significand_bits, Formats{}.significand_bits);
-  EXPECT_EQ(formats.plane_bits, Formats{}.plane_bits);
 }
 
 TEST_F(FormatsFile, SaysWhichKeyIsWrongAndWhatItMayBe) {
-  EXPECT_NE(error("li_bits = 3\n").find(":1: unknown key 'li_bits'; expected one of plane_bits"),
+  EXPECT_NE(error("li_bits = 3\n").find(":1: unknown key 'li_bits'; expected one of form_bits"),
             std::string::npos)
       << error("li_bits = 3\n");
   EXPECT_NE(error("\nsignificand_bits = 26\n").find("8"), std::string::npos);
