@@ -2,14 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <filesystem>
 #include <memory>
 
+#include "base/file.h"
 #include "cli/command.h"
 #include "cli/count_arguments.h"
 #include "cli/parse.h"
+#include "cli/print.h"
 #include "cli/progress.h"
 #include "reports/count_text.h"
 #include "reports/json.h"
+#include "reports/map_files.h"
 #include "reports/maps.h"
 #include "traces/reader.h"
 
@@ -40,9 +45,14 @@ int run(const Arguments& arguments) {
   parse_choice<int>("--needs", arguments.needs, {{"all", 0}});
   if (options.maps && configs.size() != 1) {
     throw InputError("--maps", fmt::format("given with {} configurations", configs.size()),
-                     "one configuration");
+                     "one: --mode single-pass or three-pass, one value of each set");
   }
   const traces::TraceFile trace(arguments.file);
+  std::vector<std::filesystem::path> outputs;
+  if (options.maps) outputs = reports::map_files(arguments.maps);
+  if (!arguments.json.empty()) outputs.emplace_back(arguments.json);
+  for (const auto& output : outputs)
+    require_not_read(output, std::array{std::filesystem::path(arguments.file)});
   const reports::TraceInfo info = reports::info_of(trace.view());
   std::vector<model::CountResult> results;
   {
@@ -53,11 +63,13 @@ int run(const Arguments& arguments) {
   if (!arguments.json.empty()) {
     reports::write_json(arguments.json, reports::count_json(info, results, options.datapath));
   }
-  fmt::print("{}", reports::count_text(info, results));
+  std::string maps;
   if (options.maps) {
-    fmt::print("maps: {}\n", reports::to_text(reports::write_maps(
-                                 arguments.maps, trace.view(), results.front(), options.datapath)));
+    maps =
+        fmt::format("maps: {}\n", to_text(reports::write_maps(arguments.maps, trace.view(),
+                                                              results.front(), options.datapath)));
   }
+  print(reports::count_text(info, results) + maps);
   return reports::held(results) ? 0 : 1;
 }
 
@@ -85,8 +97,8 @@ Command add_count(CLI::App& program) {
                   "PREFIX_difference as .png and .exr")
       ->type_name("PREFIX");
   app->footer(
-      "A SET is one value or several with commas; all combinations are counted.\n"
-      "Example:\n  wedgesim count columns.wtrace --mode single-pass,three-pass --tile 4,8,16");
+      "A SET is one value or several with commas, none twice; all combinations are counted.\n"
+      "Example:\n  wedgesim count columns.wtrace --tile 4,8,16");
   return {app, [arguments] { return run(*arguments); }};
 }
 

@@ -111,7 +111,8 @@ Json to_json(const std::vector<CountConfig>& configs, const model::Datapath& dat
             {"share", spelled(&CountConfig::share)},
             {"z", spelled(&CountConfig::z)},
             {"tile_build", spelled(&CountConfig::tile_build)},
-            {"datapath", spelling(datapath.kind)}};
+            {"datapath", spelling(datapath.kind)},
+            {"needs", "all"}};  // no caster is left out yet
   add_formats(json, datapath);
   return json;
 }

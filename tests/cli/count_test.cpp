@@ -57,6 +57,7 @@ TEST_F(Count, JsonHasTheNamesOfItsSchema) {
             (std::set<std::string>{"name", "checksum", "width", "height", "wedges"}));
   EXPECT_EQ(result["trace"]["width"], 96);
   EXPECT_EQ(result["configuration"]["mode"], Json({"three-pass", "single-pass"}));
+  EXPECT_EQ(result["configuration"]["needs"], "all");
   ASSERT_EQ(result["configs"].size(), 2U);
   const Json& config = result["configs"][1];
   for (const char* key :
@@ -198,7 +199,11 @@ TEST_F(Count, BadOptionsAreRefused) {
       {{"--tile-build", "never"}, {"--tile-build", "'never'"}},
       {{"--datapath", "float"}, {"--datapath", "'float'", "exact"}},
       {{"--needs", "some"}, {"--needs", "'some'", "all"}},
-      {{"--tile", "2,4", "--maps", (folder / "maps/p").string()}, {"--maps", "one configuration"}},
+      {{"--tile", "2,4", "--maps", (folder / "maps/p").string()},
+       {"--maps", "given with 4 configurations", "--mode single-pass or three-pass"}},
+      {{"--maps", (folder / "maps/p").string()}, {"--maps", "given with 2 configurations"}},
+      {{"--mode", "single-pass", "--maps", "/proc/p"}, {"/proc/p_", "cannot be written"}},
+      {{"--mode", "single-pass", "--maps", (trace / "p").string()}, {"p_", "folder"}},
       {{"--json", "/proc/x.json"}, {"/proc/x.json"}},
       {{"--json", (trace / "x.json").string()}, {"x.json"}},
   };

@@ -78,6 +78,7 @@ TEST(Main, OutputThatCannotBeWrittenIsAnError) {
       {"count", "--help"},
       {"scenes"},
       {"dump", trace},
+      {"count", trace},
       {"explain", trace, "--pixel", "1,1"},
       {"trace", "cylinder", "-o", (folder / "x").string(), "--size", "16x16"}};
   for (const std::vector<std::string>& arguments : printing) {

@@ -32,7 +32,13 @@ TEST_F(SameFile, ResultsOfATrace) {
   const std::string link = at("link");
   std::filesystem::create_symlink(trace, link);
   for (const auto& [in, out] : {std::pair{trace, trace}, {trace, link}, {link, trace}}) {
+    expect_refused({"count", in, "--json", out}, trace);
     expect_refused({"dump", in, "--obj", out}, trace);
+  }
+  for (const char* map : {"p_z_reads.png", "p_li_writes.exr", "p_li.png", "p_difference.exr"}) {
+    std::filesystem::copy_file(trace, at(map));
+    expect_refused({"count", at(map), "--maps", at("p"), "--mode", "single-pass"}, at(map));
+    std::filesystem::remove(at(map));
   }
 }
 
