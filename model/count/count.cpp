@@ -169,10 +169,8 @@ void Traversal::count_primitive(const Primitive& primitive, Worker& worker) {
 
 std::vector<CountResult> Traversal::finish() {
   std::vector<CountResult> results(configs_.size());
-  const bool compare_sky =
-      (trace_.header.expected_z_method == traces::fb::ZMethod_fail) == (method_ == ZMethod::fail);
   const FrameSummary right =
-      FinishedFrame(frame_, image_, options_.datapath, {}).summarize(trace_, compare_sky);
+      FinishedFrame(frame_, image_, options_.datapath, {}).summarize(trace_, method_);
   for (const auto& [tile, size] : sizes_) {
     for (std::size_t run = 0; run < size.runs.size(); ++run) {
       CountResult& result = results[size.configs[run]];
@@ -193,9 +191,7 @@ void Traversal::finish_config(const TileSize& size, std::size_t index, const Fra
   result.wrong_contributions = corrections.size();
   const bool wrong = !corrections.empty();
   const FinishedFrame finished(frame_, image_, options_.datapath, std::move(corrections));
-  const bool compare_sky =
-      (trace_.header.expected_z_method == traces::fb::ZMethod_fail) == (method_ == ZMethod::fail);
-  const FrameSummary summary = wrong ? finished.summarize(trace_, compare_sky) : right;
+  const FrameSummary summary = wrong ? finished.summarize(trace_, method_) : right;
   const bool three_pass = run.config.mode == Mode::three_pass;
   counters.pixels_covered = sums_.pixels_covered;
   counters.pixels_inside = sums_.pixels_inside;

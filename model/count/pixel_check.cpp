@@ -18,13 +18,15 @@ bool worse(const PixelError& a, const PixelError& b) {
 
 class Comparison {
  public:
-  explicit Comparison(double tolerance) { check_.tolerance = tolerance; }
+  explicit Comparison(const Datapath& datapath) : datapath_(datapath) {
+    check_.tolerance = datapath.tolerance();
+  }
 
   void add(const PixelError& pixel, bool penumbra) {
     const double size = std::fabs(pixel.error);
     check_.compared += 1;
     check_.max_error = std::max(check_.max_error, size);
-    if (size > check_.tolerance + pixel.sensitivity) check_.mismatched += 1;
+    if (!matches(pixel, datapath_)) check_.mismatched += 1;
     if (pixel.sensitivity <= kQuiet) {
       all_.add(size);
       if (penumbra) penumbra_.add(size);
@@ -55,6 +57,7 @@ class Comparison {
     double root() const { return count == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(count)); }
   };
 
+  Datapath datapath_;
   PixelCheck check_;
   MeanSquare all_, penumbra_;
 };
@@ -82,6 +85,25 @@ std::vector<Correction> gather(std::vector<Correction> corrections) {
 }
 
 }  // namespace
+
+std::optional<PixelError> compare_pixel(const traces::TraceView& trace, ZMethod method, int x,
+                                        int y, std::int64_t word, const Datapath& datapath) {
+  const std::size_t pixel =
+      static_cast<std::size_t>(y) * trace.header.width + static_cast<std::size_t>(x);
+  if (trace.expected_li.empty()) return {};
+  const bool trace_fails = trace.header.expected_z_method == traces::fb::ZMethod_fail;
+  const bool sky = trace.depth[pixel] == traces::sky_word(trace.header.depth_format);
+  if (sky && trace_fails != (method == ZMethod::fail)) return {};
+  const double li = static_cast<double>(word) / datapath.one();
+  const double expected = trace.expected_li[pixel];
+  const double sensitivity =
+      trace.li_sensitivity.empty() ? 0.0 : static_cast<double>(trace.li_sensitivity[pixel]);
+  return PixelError{x, y, expected, li, li - expected, sensitivity};
+}
+
+bool matches(const PixelError& pixel, const Datapath& datapath) {
+  return std::fabs(pixel.error) <= datapath.tolerance() + pixel.sensitivity;
+}
 
 FinishedFrame::FinishedFrame(const ZFrame& frame, const LightImage& image, const Datapath& datapath,
                              std::vector<Correction> corrections)
@@ -119,10 +141,9 @@ void FinishedFrame::for_each_pixel(std::uint32_t bx, std::uint32_t by, F&& f) co
   }
 }
 
-FrameSummary FinishedFrame::summarize(const traces::TraceView& trace, bool compare_sky) const {
+FrameSummary FinishedFrame::summarize(const traces::TraceView& trace, ZMethod method) const {
   FrameSummary summary;
-  Comparison comparison(datapath_.tolerance());
-  const std::uint32_t sky = traces::sky_word(trace.header.depth_format);
+  Comparison comparison(datapath_);
   frame_.for_each_block([&](std::uint32_t bx, std::uint32_t by) {
     const BlockSums block = sums(frame_.block(bx, by));
     const std::uint64_t inside = image_.inside_any(frame_.block(bx, by));
@@ -139,14 +160,8 @@ FrameSummary FinishedFrame::summarize(const traces::TraceView& trace, bool compa
       summary.any_out_of_range += any_bad ? 1 : 0;
       summary.contributions_max =
           std::max<std::uint64_t>(summary.contributions_max, block.contributions[bit]);
-      const std::size_t pixel =
-          static_cast<std::size_t>(y) * trace.header.width + static_cast<std::size_t>(x);
-      if (trace.expected_li.empty() || (!compare_sky && trace.depth[pixel] == sky)) return;
-      const double li = static_cast<double>(word) / datapath_.one();
-      const double expected = trace.expected_li[pixel];
-      const double sensitivity =
-          trace.li_sensitivity.empty() ? 0.0 : static_cast<double>(trace.li_sensitivity[pixel]);
-      comparison.add({x, y, expected, li, li - expected, sensitivity}, (inside >> bit & 1) != 0);
+      const auto pixel = compare_pixel(trace, method, x, y, word, datapath_);
+      if (pixel) comparison.add(*pixel, (inside >> bit & 1) != 0);
     });
   });
   summary.pixels = comparison.finish();

@@ -20,6 +20,15 @@ struct PixelError {
   double sensitivity = 0.0;  // what one step of stored z changes
 };
 
+/// A pixel's LI beside the trace's expected LI. Nothing if the trace holds none, or at a sky pixel
+/// under the z method that it does not hold for.
+/// \param word  in the datapath's words
+std::optional<PixelError> compare_pixel(const traces::TraceView& trace, ZMethod method, int x,
+                                        int y, std::int64_t word, const Datapath& datapath);
+
+/// The error is within the datapath's tolerance and what one step of stored z explains.
+bool matches(const PixelError& pixel, const Datapath& datapath);
+
 /// LI against the trace's expected LI.
 struct PixelCheck {
   std::uint64_t compared = 0;  // 0 if the trace holds no expected LI
@@ -50,8 +59,8 @@ class FinishedFrame {
   FinishedFrame(const ZFrame& frame, const LightImage& image, const Datapath& datapath,
                 std::vector<Correction> corrections);
 
-  /// \param compare_sky  sky pixels' expected LI holds for the z method at hand
-  FrameSummary summarize(const traces::TraceView& trace, bool compare_sky) const;
+  /// \param method  that the frame was made with
+  FrameSummary summarize(const traces::TraceView& trace, ZMethod method) const;
 
   /// (height, width) words; 1.0 is Datapath::one().
   std::vector<std::int64_t> words() const;

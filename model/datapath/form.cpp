@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/limits.h"
 #include "traces/depth.h"
 
 namespace wedgesim::model::datapath {
 namespace {
 
-constexpr double kFrame = 16384.0;          // pixels
+constexpr double kFrame = kMaxFrameEdge;
 constexpr double kFloatSteps = 67108864.0;  // 2^26
 constexpr int kNoExponent = -1022;          // of forms that are 0
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/traces/sample.h"
+#include "traces/depth.h"
 
 namespace wedgesim::reports {
 namespace {
@@ -17,7 +18,6 @@ struct ExplainCheck : testing::Test {
     trace.li_sensitivity.assign(trace.depth.size(), 0.0F);
     explanation.x = 1;
     explanation.y = 1;
-    explanation.expected = 0.5;
     explanation.word = std::int64_t{1} << 39;
   }
   void be_off_by(double error) {
@@ -45,17 +45,18 @@ TEST_F(ExplainCheck, ItsOwnSensitivityIsAllowed) {
 
 TEST_F(ExplainCheck, SkyIsComparedUnderTheTracesMethodAlone) {
   be_off_by(1.0);
-  explanation.sky = true;
+  std::uint32_t& depth = trace.depth[trace.header.width + 1];
+  depth = traces::sky_word(trace.header.depth_format);
   EXPECT_FALSE(held(trace.view(), explanation));
   explanation.method = model::ZMethod::fail;
   EXPECT_TRUE(held(trace.view(), explanation));
-  explanation.sky = false;
+  depth = traces::step_depth(trace.header.depth_format, depth, -1);
   EXPECT_FALSE(held(trace.view(), explanation));
 }
 
 TEST_F(ExplainCheck, WithoutExpectationNothingIsCompared) {
   be_off_by(1.0);
-  explanation.expected.reset();
+  trace.expected_li.clear();
   EXPECT_TRUE(held(trace.view(), explanation));
 }
 

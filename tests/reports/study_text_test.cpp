@@ -64,7 +64,7 @@ TEST(StudyFiles, CsvSaysWhatWasWrong) {
   StudyResults results = make_study_results();
   results.scenes.front().results.resize(1);
   model::CountResult& result = results.scenes.front().results.front();
-  result.pixels = {6, 0.5, 0.25, 3, 0.125, {}};
+  result.pixels = {6, 0.5, 0.25, 0.75, 3, 0.125, {}};
   result.wrong_contributions = 7;
   const std::string text = study_csv(results);
   EXPECT_TRUE(contains(text,
@@ -119,8 +119,8 @@ TEST(CountText, AFailureIsNamed) {
 
 TEST(CountText, TheWorstOfAllConfigurationsIsTold) {
   std::vector<model::CountResult> results;
-  for (const auto& pixels : {model::PixelCheck{6, 0.5, 0.0625, 3, 0.125, {}},
-                             model::PixelCheck{6, 0.25, 0.03125, 2, 0.125, {}}}) {
+  for (const auto& pixels : {model::PixelCheck{6, 0.5, 0.0625, 0.5, 3, 0.125, {}},
+                             model::PixelCheck{6, 0.25, 0.03125, 0.5, 2, 0.125, {}}}) {
     results.push_back(make_result({}, 5, 3));
     results.back().pixels = pixels;
     results.back().wrong_contributions = 4;

@@ -19,8 +19,8 @@ struct Frame {
     synthetic.trace.li_sensitivity.assign(8, 0.0F);
   }
   FinishedFrame finish(LiFormat format) const { return {z, image, format, corrections}; }
-  FrameSummary summary(LiFormat format = LiFormat::exact, bool compare_sky = true) const {
-    return finish(format).summarize(synthetic.trace.view(), compare_sky);
+  FrameSummary summary(LiFormat format = LiFormat::exact, ZMethod method = ZMethod::pass) const {
+    return finish(format).summarize(synthetic.trace.view(), method);
   }
   void add(int x, int y, std::int64_t penumbra, std::int32_t umbra) {
     corrections.push_back({z.position(x, y), penumbra, umbra});
@@ -86,8 +86,8 @@ TEST(PixelCheck, TellsWordsOutOfRange) {
 TEST(PixelCheck, LeavesOutTheSkyAndTracesWithoutExpectation) {
   Frame frame;
   frame.synthetic.set_depth(2, 0, 1.0);
-  EXPECT_EQ(frame.summary(LiFormat::exact, false).pixels.compared, 7u);
-  EXPECT_EQ(frame.summary(LiFormat::exact, true).pixels.compared, 8u);
+  EXPECT_EQ(frame.summary(LiFormat::exact, ZMethod::fail).pixels.compared, 7u);
+  EXPECT_EQ(frame.summary(LiFormat::exact, ZMethod::pass).pixels.compared, 8u);
   frame.synthetic.trace.expected_li.clear();
   EXPECT_EQ(frame.summary().pixels.compared, 0u);
 }
