@@ -55,7 +55,7 @@ Cycle Dram::access(std::uint64_t address, unsigned bytes, bool write, Cycle at) 
   last_at_ = at;
   (write ? statistics_.writes : statistics_.reads) += 1;
   const auto burst_bytes = static_cast<std::uint64_t>(config_.burst_bytes);
-  const DramCycle arrival = convert(at, memory_mhz_, block_mhz_);
+  const auto arrival = static_cast<DramCycle>(convert(at, memory_mhz_, block_mhz_));
   DramCycle done = 0;
   for (std::uint64_t burst = address / burst_bytes; burst <= (address + bytes - 1) / burst_bytes;
        ++burst) {
@@ -64,7 +64,7 @@ Cycle Dram::access(std::uint64_t address, unsigned bytes, bool write, Cycle at) 
     (write ? statistics_.write_bursts : statistics_.read_bursts) += 1;
     statistics_.bytes += burst_bytes;
   }
-  return convert(done, block_mhz_, memory_mhz_);
+  return convert(static_cast<std::uint64_t>(done), block_mhz_, memory_mhz_);
 }
 
 double Dram::peak_bytes_per_cycle() const {

@@ -18,7 +18,7 @@ DramChannel::DramChannel(const DramConfig& config, unsigned channel, DramStatist
       listener_(listener),
       banks_(static_cast<std::size_t>(config.banks)),
       groups_(static_cast<std::size_t>(config.bank_groups)),
-      refresh_due_(static_cast<DramCycle>(config.refi)),
+      refresh_due_(config.refi),
       queue_(static_cast<std::size_t>(config.queue_bursts)) {}
 
 DramCycle DramChannel::burst(unsigned bank, std::uint64_t row, bool write, DramCycle at) {
@@ -67,9 +67,8 @@ DramCycle DramChannel::column_from(const BankGroup& group, bool write) const {
     raise(from, read_from_);
     raise(from, group.read_from);
   }
-  const auto latency = static_cast<DramCycle>(write ? t_.write_latency : t_.read_latency);
-  const DramCycle data = write ? write_bus_from_ : read_bus_from_;
-  return std::max(from, data > latency ? data - latency : 0);
+  raise(from, write ? write_bus_from_ - t_.write_latency : read_bus_from_ - t_.read_latency);
+  return from;
 }
 
 void DramChannel::do_precharge(unsigned bank, DramCycle cycle) {

@@ -10,8 +10,8 @@
 
 namespace wedgesim::model::memory {
 
-/// A point in time in cycles of the memory's command clock.
-using DramCycle = std::uint64_t;
+/// A point in time in cycles of the memory's command clock; never negative.
+using DramCycle = std::int64_t;
 
 /// One command as it goes to a channel.
 struct DramCommand {

@@ -64,7 +64,8 @@ std::uint64_t Layout::block_address(const Grid& grid, unsigned bx, unsigned by) 
 std::uint64_t Layout::address(Surface surface, unsigned x, unsigned y) const {
   const Grid& place = grid(surface);
   const unsigned word = (y % kBlockEdge) * kBlockEdge + x % kBlockEdge;
-  return block_address(place, x / kBlockEdge, y / kBlockEdge) + word * place.word_bytes;
+  return block_address(place, x / kBlockEdge, y / kBlockEdge) +
+         std::uint64_t{word} * place.word_bytes;
 }
 
 std::uint64_t Layout::wedge_address(std::uint64_t offset) const {

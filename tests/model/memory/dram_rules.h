@@ -43,7 +43,7 @@ class DramRules {
   static constexpr std::int64_t kNever = -1'000'000'000;  // as good as no rule
   static constexpr std::size_t kWindow = 400;             // commands looked back
 
-  static std::int64_t time(const DramCommand& c) { return static_cast<std::int64_t>(c.cycle); }
+  static std::int64_t time(const DramCommand& c) { return c.cycle; }
   static bool is_column(const DramCommand& c) {
     return c.kind == Kind::read || c.kind == Kind::write;
   }
