@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/units/tile_work.h"
+
+namespace wedgesim::model::units {
+
+/// A tile of a primitive as the units see it.
+struct WalkedTile {
+  unsigned steps = 0;  // of the tile walk since the tile before, this one included
+  TileWork work;
+};
+
+/// A block whose stencil is added to LI.
+struct MergedBlock {
+  std::uint16_t bx = 0, by = 0;
+  bool any = false;  // a word is not 0
+};
+
+/// One primitive in one pass, or the merge: all that the units need to know to take time over it.
+struct PrimitiveWork {
+  std::optional<std::uint32_t> wedge;
+  std::uint64_t record_offset = 0, record_bytes = 0;
+  unsigned planes = 0, edges = 0;  // what setup prepares
+  bool barrier = false;            // the units must be empty before it
+  std::vector<WalkedTile> tiles;
+  unsigned steps_after = 0;  // of the tile walk behind the last tile
+  std::vector<MergedBlock> merged;
+};
+
+/// Walks the frame pass by pass, primitive by primitive, in the order of the trace; in each, tiles
+/// row by row, as the block does.
+class FrameWalk {
+ public:
+  /// \param trace  sound, outlives this
+  FrameWalk(const traces::TraceView& trace, const CountConfig& config, bool z_fail,
+            const datapath::Formats& formats);
+
+  /// The next primitive or merge; nothing at the end of the frame.
+  std::shared_ptr<const PrimitiveWork> next();
+
+  /// What was counted and computed so far; whole after the last.
+  const TileDatapath& datapath() const { return datapath_; }
+
+ private:
+  std::shared_ptr<PrimitiveWork> walk(const SetupPrimitive& primitive, Pass pass);
+  std::shared_ptr<PrimitiveWork> merge();
+
+  const traces::TraceView& trace_;
+  const CountConfig config_;
+  PrimitiveSetup setup_;
+  TileDatapath datapath_;
+  std::vector<std::uint32_t> lone_;
+  std::vector<std::uint64_t> record_offsets_;  // of each wedge, and their end
+  std::vector<Pass> passes_;
+  std::size_t pass_ = 0;
+  std::size_t index_ = 0;  // in the pass: wedges, then lone polygons
+  bool barrier_ = false;
+  bool finished_ = false;
+};
+
+}  // namespace wedgesim::model::units

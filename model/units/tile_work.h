@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/count/config.h"
+#include "model/count/counters.h"
+#include "model/datapath/formats.h"
+#include "model/units/frame_depth.h"
+#include "model/units/primitive_setup.h"
+#include "model/units/tile_cover.h"
+
+namespace wedgesim::model::units {
+
+/// The passes of a frame. Single-pass has one; three-pass goes through the other three.
+enum class Pass : std::uint8_t { single, umbra_near, umbra_far, penumbra };
+
+/// What a tile's visits ask of one 8x8 block.
+struct BlockWork {
+  std::uint16_t bx = 0, by = 0;
+  std::uint64_t reads = 0;         // z, for the faces: P
+  std::uint64_t umbra_reads = 0;   // z, for the umbra polygon: Q
+  std::uint64_t writes = 0;        // LI, penumbra
+  std::uint64_t umbra_writes = 0;  // LI, or the stencil in three-pass
+};
+
+/// One primitive in one tile.
+struct TileWork {
+  std::uint32_t tile = 0;  // index, row by row
+  unsigned visits = 0;
+  unsigned words = 0;  // of {zmin, zmax} that the visits' tests name
+  bool shared = false;
+  std::vector<BlockWork> blocks;  // those that read or write
+
+  /// Pixels that the penumbra datapath takes in: each once if shared, else once for each polygon.
+  unsigned pixels() const;
+};
+
+/// What the block's units compute, tile after tile, without time: which visits survive, which
+/// pixels are read and written, and the words of LI and stencil. Counts accesses as the block makes
+/// them.
+class TileDatapath {
+ public:
+  /// \param trace  outlives this
+  TileDatapath(const traces::TraceView& trace, const CountConfig& config, bool z_fail,
+               const datapath::Formats& formats);
+
+  /// A primitive enters, before its tiles.
+  void begin(const SetupPrimitive& primitive, Pass pass);
+  /// Is a polygon that takes part in the pass touched by the tile walk there?
+  bool touches(int tx, int ty) const;
+  /// One tile of that primitive. False if none of its pixels is covered; `work` is void then.
+  bool process(int tx, int ty, TileWork& work);
+  /// The primitive's tiles are done.
+  void end();
+  /// Three-pass, between the umbra passes and the penumbra: adds the stencil to LI.
+  /// \return whether the 8x8 block holds a word that is not 0
+  bool merge(int bx, int by);
+  /// All passes are done: sums what the whole frame says.
+  void finish();
+
+  const FrameDepth& depth() const { return depth_; }
+  const Counters& counters() const { return counters_; }
+  /// (height, width) words, wrapped as the buffer holds them.
+  const std::vector<std::int32_t>& li() const { return li_; }
+  bool z_fail() const { return z_fail_; }
+
+ private:
+  struct Tests {
+    std::uint64_t survivors = 0;  // faces
+    bool untested = false;        // the box is inside the wedge
+    bool reads_umbra = false, accepts_umbra = false;
+  };
+  bool faces_active() const { return pass_ == Pass::single || pass_ == Pass::penumbra; }
+  bool umbra_active() const { return primitive_->umbra && pass_ != Pass::penumbra; }
+  bool shared() const;
+  void cover(const PixelBox& tile);
+  void count_visits(TileWork& work);
+  Tests test(const datapath::FixedBox& box);
+  void work_on_part(std::size_t part, const Tests& tests, TileWork& work);
+  bool inside(const datapath::Place& at) const;
+  bool inner(const datapath::Place& at, bool covered) const;
+  void write(int x, int y, std::int64_t li_words, int step);
+
+  const traces::TraceView& trace_;
+  const CountConfig config_;
+  const bool z_fail_;
+  const datapath::Formats formats_;
+  const datapath::Rounder round_;
+  FrameDepth depth_;
+  Counters counters_;
+  std::vector<std::int32_t> li_;
+  std::vector<std::int32_t> stencil_;
+  std::vector<std::int64_t> true_li_;       // sums that do not wrap, to know an overflow
+  std::vector<std::int32_t> true_stencil_;  // the same
+  std::vector<bool> z_touched_, li_touched_;
+  std::vector<bool> tiles_read_;
+  const SetupPrimitive* primitive_ = nullptr;
+  Pass pass_ = Pass::single;
+  bool covered_any_ = false;
+  // Of the tile at hand: parts, and the sets of each face and of the umbra polygon in each.
+  std::vector<BlockPart> parts_;
+  std::vector<std::uint64_t> face_sets_, umbra_sets_;  // (parts, faces), (parts)
+};
+
+}  // namespace wedgesim::model::units

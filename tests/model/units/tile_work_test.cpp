@@ -1,0 +1,111 @@
+// Does the block, which walks tiles on its own, access what the counter counts and leave the words
+// that the counter's fixed datapath leaves?
+#include "model/units/tile_work.h"
+
+#include <gtest/gtest.h>
+
+#include "functional/methods/frame.h"
+#include "functional/scene/scene_file.h"
+#include "model/count/count.h"
+#include "model/units/frame_walk.h"
+
+namespace wedgesim::model::units {
+namespace {
+
+traces::Trace render(const std::string& scene, traces::fb::WedgeKind kind,
+                     functional::LightShape light) {
+  functional::SceneOptions scene_options;
+  scene_options.size = {150, 100};
+  scene_options.light_shape = light;
+  std::vector<std::string> notes;
+  functional::FrameOptions options;
+  options.kind = kind;
+  options.expected_li = false;
+  return functional::make_frame(functional::load_scene(scene, scene_options, &notes), options)
+      .trace;
+}
+
+std::string label(const CountConfig& config) {
+  std::string text(spelling(config.mode));
+  for (const std::string_view part :
+       {spelling(config.cull), spelling(config.umbra_cull), spelling(config.accept),
+        spelling(config.share), spelling(config.z), spelling(config.tile_build)}) {
+    text += " " + std::string(part);
+  }
+  return text + " tile " + std::to_string(config.tile);
+}
+
+// What the frame is, whatever the block does, and what depends on the widths of memory words.
+bool only_the_counter_knows(std::string_view name) {
+  return name == "z_reads_floor" || name == "contributions_max" || name == "all_bytes";
+}
+
+void expect_equal(const traces::TraceView& trace, const std::vector<CountConfig>& configs) {
+  CountOptions options;
+  options.datapath = LiFormat::fixed;
+  options.maps = true;
+  const std::vector<CountResult> counted = count(trace, configs, options);
+  for (const CountResult& expected : counted) {
+    FrameWalk walk(trace, expected.config, expected.z == ZMethod::fail, options.datapath.formats);
+    while (walk.next() != nullptr) {
+    }
+    const TileDatapath& block = walk.datapath();
+    for (std::size_t i = 0; i < block.counters().counters().size(); ++i) {
+      const Counter& counter = *block.counters().counters()[i];
+      if (only_the_counter_knows(counter.name())) continue;
+      EXPECT_EQ(counter.value(), expected.counters->counters()[i]->value())
+          << counter.name() << ": " << label(expected.config);
+    }
+    const datapath::LiWord& li = options.datapath.formats.li;
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < expected.li.size(); ++i) {
+      wrong += li.wrap(expected.li[i]) == block.li()[i] ? 0 : 1;
+    }
+    EXPECT_EQ(wrong, 0U) << "LI words: " << label(expected.config);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+std::vector<CountConfig> all_configs(ZChoice z) {
+  std::vector<CountConfig> configs;
+  for (const unsigned tile : {2U, 4U, 8U, 16U, 64U, 256U}) {
+    for (const Mode mode : {Mode::single_pass, Mode::three_pass}) {
+      for (const Cull cull :
+           {Cull::none, Cull::zmax, Cull::zrange, Cull::planes, Cull::both, Cull::sat}) {
+        CountConfig config;
+        config.tile = tile;
+        config.mode = mode;
+        config.cull = cull;
+        config.z = z;
+        configs.push_back(config);
+        config.umbra_cull = UmbraCull::none;
+        config.accept = Accept::zmin;
+        config.tile_build = TileBuild::lazy;
+        config.share = Share::all;
+        configs.push_back(config);
+        config.umbra_cull = UmbraCull::zmax;
+        configs.push_back(config);
+      }
+    }
+  }
+  return configs;
+}
+
+TEST(TileWork, EqualsTheCounterInEveryConfiguration) {
+  for (const auto& [kind, light] :
+       {std::pair{traces::fb::WedgeKind_linear, functional::LightShape::rectangle},
+        std::pair{traces::fb::WedgeKind_coverage, functional::LightShape::rectangle},
+        std::pair{traces::fb::WedgeKind_coverage, functional::LightShape::sphere}}) {
+    const traces::Trace pass = render("plain-columns", kind, light);
+    expect_equal(pass.view(), all_configs(ZChoice::pass));
+    if (HasFailure()) return;
+    expect_equal(pass.view(), all_configs(ZChoice::fail));
+    if (HasFailure()) return;
+    const traces::Trace shadow = render("eye-in-shadow", kind, light);
+    expect_equal(shadow.view(), all_configs(ZChoice::automatic));
+    if (HasFailure()) return;
+  }
+}
+
+}  // namespace
+}  // namespace wedgesim::model::units
