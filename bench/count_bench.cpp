@@ -100,7 +100,7 @@ void compare(const std::string& title, const Scene& scene) {
   for (const Kernel& kernel : simd_kernels()) by_kernel(kernel);
   const CountConfig config{.z = ZChoice::pass};
   const auto whole = [&](KernelChoice choice) {
-    count(scene.trace.view(), {&config, 1}, {.threads = 1, .kernel = choice});
+    count(scene.trace.view(), {&config, 1}, {.threads = 1, .datapath = {}, .kernel = choice});
   };
   contestants.push_back({"count(), scalar", [&] { whole(KernelChoice::scalar); }, {}});
   contestants.push_back({"count(), SIMD", [&] { whole(KernelChoice::simd); }, {}});

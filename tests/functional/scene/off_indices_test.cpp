@@ -6,7 +6,7 @@
 
 #include "functional/scene/mesh_file.h"
 #include "tests/base/temporary_folder.h"
-#include "tests/functional/scene/expect_input_error.h"
+#include "tests/support/expect_input_error.h"
 
 namespace wedgesim::functional {
 namespace {
