@@ -18,6 +18,7 @@ Command add_render(CLI::App& program);
 Command add_trace(CLI::App& program);
 Command add_dump(CLI::App& program);
 Command add_count(CLI::App& program);
+Command add_cycles(CLI::App& program);
 Command add_explain(CLI::App& program);
 Command add_study(CLI::App& program);
 

@@ -14,6 +14,9 @@ pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 find_package(FlatBuffers CONFIG REQUIRED)
 # By pkg-config: the package's CMake file asks for tools and OpenCV headers that are not needed.
 pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET OpenImageIO)
+pkg_check_modules(systemc REQUIRED IMPORTED_TARGET systemc)
+# The package is built as C++17 and checks so when it links; C++20 only has to say what it expects.
+target_compile_definitions(PkgConfig::systemc INTERFACE SC_CPLUSPLUS=201703L)
 if(WEDGESIM_TESTS)
   find_package(GTest REQUIRED)
 endif()

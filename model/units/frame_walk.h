@@ -43,6 +43,9 @@ class FrameWalk {
   /// The next primitive or merge; nothing at the end of the frame.
   std::shared_ptr<const PrimitiveWork> next();
 
+  /// Bytes of the records of all wedges.
+  std::uint64_t record_bytes() const { return record_offsets_.back(); }
+
   /// What was counted and computed so far; whole after the last.
   const TileDatapath& datapath() const { return datapath_; }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "model/units/tile_cull.h"
+#include "model/units/tile_decision.h"
 
 namespace wedgesim::model::units {
 namespace {

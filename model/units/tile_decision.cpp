@@ -1,4 +1,4 @@
-#include "model/units/tile_cull.h"
+#include "model/units/tile_decision.h"
 
 #include <algorithm>
 

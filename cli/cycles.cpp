@@ -1,0 +1,97 @@
+#include "reports/cycles.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+
+#include "base/file.h"
+#include "cli/command.h"
+#include "cli/parse.h"
+#include "cli/print.h"
+#include "cli/progress.h"
+#include "reports/memory_trace.h"
+#include "traces/reader.h"
+
+namespace wedgesim::cli {
+namespace {
+
+struct Arguments {
+  std::string file, config = "paper2-single", json, memory_trace, memory_trace_format = "csv";
+  bool clocked = false, print_config = false;
+};
+
+reports::CyclesReport run_block(const Arguments& arguments, const traces::TraceView& trace,
+                                const model::BlockConfig& config) {
+  model::BlockOptions options;
+  if (arguments.clocked) options.timing = model::units::Timing::clocked;
+  Progress progress;
+  progress.show(fmt::format("{}: the block at work", trace.header.name));
+  if (arguments.memory_trace.empty()) return reports::run_cycles(trace, config, options);
+  reports::MemoryTraceOptions trace_options;
+  trace_options.format =
+      reports::memory_trace_format(arguments.memory_trace_format, "--memory-trace-format");
+  trace_options.block_mhz = config.clock_mhz;
+  trace_options.memory_mhz = config.memory.dram.clock_mhz;
+  trace_options.trace = fmt::format("{:016x}", trace.header.checksum);
+  std::optional<reports::CyclesReport> report;
+  write_atomically(arguments.memory_trace, [&](const std::filesystem::path& temporary) {
+    std::ofstream out(temporary, std::ios::binary);
+    reports::MemoryTraceWriter writer(out, trace_options);
+    options.listener = [&writer](const auto& record) { writer.write(record); };
+    report = reports::run_cycles(trace, config, options);
+    out.close();
+    if (!out) {
+      throw InputError(arguments.memory_trace, "cannot be written", "a writable file with room");
+    }
+  });
+  return *report;
+}
+
+int run(const Arguments& arguments) {
+  const model::BlockConfig config = model::read_block(arguments.config);
+  if (arguments.print_config) {
+    print(model::to_toml(config));
+    return 0;
+  }
+  if (arguments.file.empty()) throw InputError("wedgesim cycles", "no FILE given", "a trace");
+  const traces::TraceFile trace(arguments.file);
+  const std::array inputs{std::filesystem::path(arguments.file),
+                          std::filesystem::path(arguments.config)};
+  for (const std::string& output : {arguments.json, arguments.memory_trace}) {
+    if (!output.empty()) require_not_read(output, inputs);
+  }
+  const reports::CyclesReport report = run_block(arguments, trace.view(), config);
+  if (!arguments.json.empty()) reports::write_json(arguments.json, reports::cycles_json(report));
+  print(reports::cycles_text(report));
+  return reports::held(report) ? 0 : 1;
+}
+
+}  // namespace
+
+Command add_cycles(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("cycles", "Run a trace through the block, in time");
+  auto arguments = std::make_shared<Arguments>();
+  app->add_option("FILE", arguments->file, "A trace")->type_name("");
+  app->add_option("--config", arguments->config,
+                  "paper2-single, paper2-three, small, wide, or a TOML file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  app->add_flag("--print-config", arguments->print_config,
+                "Write the effective configuration as TOML, and do no more");
+  app->add_flag("--clocked", arguments->clocked, "Step every unit through every cycle: slow");
+  app->add_option("--json", arguments->json, "Write the results as JSON, too")->type_name("FILE");
+  app->add_option("--memory-trace", arguments->memory_trace, "Write every access at the port")
+      ->type_name("FILE");
+  app->add_option("--memory-trace-format", arguments->memory_trace_format,
+                  "Of that file: csv, dramsys, dramsim3, ramulator")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app->footer("Example:\n  wedgesim cycles out/paper2/bunny.wtrace --config paper2-single");
+  return {app, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace wedgesim::cli

@@ -1,0 +1,222 @@
+#include "model/block/block.h"
+
+#include <fmt/format.h>
+#include <tlm_utils/simple_target_socket.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "model/block/scoped_simulation.h"
+#include "model/memory/dram.h"
+#include "model/memory/ideal_memory.h"
+
+// The library asks for it even where main is the program's own.
+int sc_main(int, char**) { return 0; }
+
+namespace wedgesim::model {
+namespace {
+
+using memory::Cycle;
+using units::Link;
+using units::Token;
+
+/// A memory model as a TLM-2.0 target that annotates delays and never waits.
+class MemoryTarget final : public sc_core::sc_module {
+ public:
+  MemoryTarget(sc_core::sc_module_name name, memory::MemoryModel& model)
+      : sc_module(name), socket("socket"), model_(model) {
+    socket.register_b_transport(this, &MemoryTarget::transport);
+  }
+
+  tlm_utils::simple_target_socket<MemoryTarget> socket;
+
+ private:
+  void transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {
+    const Cycle at = units::kernel_cycle() + static_cast<Cycle>(delay / units::cycle_time() + 0.5);
+    const Cycle done =
+        model_.access(payload.get_address(), payload.get_data_length(), payload.is_write(), at);
+    delay += static_cast<double>(done - at) * units::cycle_time();
+    payload.set_response_status(tlm::TLM_OK_RESPONSE);
+  }
+
+  memory::MemoryModel& model_;
+};
+
+std::unique_ptr<memory::MemoryModel> make_memory(const BlockConfig& config) {
+  if (config.memory.kind == MemoryKind::ideal) {
+    return std::make_unique<memory::IdealMemory>(config.memory.ideal);
+  }
+  return std::make_unique<memory::Dram>(config.memory.dram, config.clock_mhz);
+}
+
+std::vector<Statistic> statistics_of(const Group& group) {
+  std::vector<Statistic> statistics;
+  for (const Counter* counter : group.counters()) {
+    statistics.push_back({std::string(counter->name()), std::string(name_of(counter->unit())),
+                          std::string(counter->description()), counter->value()});
+  }
+  return statistics;
+}
+
+/// The top: wires the units.
+class Block {
+ public:
+  Block(const RecordedFrame& frame, const BlockConfig& config, const BlockOptions& options)
+      : model_(make_memory(config)),
+        layout_(frame.layout),
+        port_("memory_port"),
+        target_("memory", *model_),
+        fetched_("wedge_fetch to wedge_setup", config.wedge_fetch.out),
+        prepared_("wedge_setup to tile_walk", config.wedge_setup.out),
+        walked_("tile_walk to tile_cull", config.tile_walk.out),
+        surviving_("tile_cull to z_read", config.tile_cull.out),
+        read_("z_read to penumbra", config.z_read.out),
+        lit_("penumbra to li_update", config.penumbra.out),
+        wedge_fetch_(
+            "wedge_fetch", options.timing, config.wedge_fetch,
+            [this, &frame]() -> std::shared_ptr<const units::PrimitiveWork> {
+              return next_ < frame.work.size() ? frame.work[next_++] : nullptr;
+            },
+            port_, layout_, fetched_),
+        wedge_setup_("wedge_setup", options.timing, config.wedge_setup, fetched_, prepared_),
+        tile_walk_("tile_walk", options.timing, config.tile_walk, prepared_, walked_),
+        tile_cull_("tile_cull", options.timing, config.tile_cull, port_, layout_,
+                   tiles_across(frame), walked_, surviving_),
+        z_read_("z_read", options.timing, config.z_read, port_, layout_, surviving_, read_),
+        penumbra_("penumbra", options.timing, config.penumbra, read_, lit_),
+        li_update_("li_update", options.timing, config.li_update,
+                   frame.rasterizer.mode == Mode::three_pass, port_, layout_, lit_) {
+    port_.socket.bind(target_.socket);
+    if (options.listener) port_.listen(options.listener);
+    li_update_.on_drained([this](Cycle cycle) { wedge_fetch_.drained(cycle); });
+  }
+
+  void run() {
+    sc_core::sc_start();
+    if (!li_update_.finished()) throw std::runtime_error(blocked());
+  }
+
+  BlockResult result() const {
+    BlockResult result;
+    result.cycles = port_.last_done();
+    for (const units::BlockUnit* unit : units()) {
+      result.cycles = std::max(result.cycles, unit->time().now());
+    }
+    for (const units::BlockUnit* unit : units()) {
+      const units::UnitTime& time = unit->time();
+      const Cycle idle = result.cycles - time.now();  // behind its last item
+      result.units.push_back({unit->basename(), time.busy(), time.starved() + idle, time.stalled(),
+                              time.memory(), statistics_of(unit->statistics())});
+      CHECK_EQ(time.busy() + time.starved() + time.stalled(), time.now());
+    }
+    add_cache(result, "tile_cull", tile_cull_.cache());
+    add_cache(result, "z_read", z_read_.cache());
+    add_cache(result, "li_update", li_update_.li_cache());
+    add_cache(result, "li_update.stencil", li_update_.stencil_cache());
+    for (std::size_t i = 0; i < memory::kSurfaces; ++i) {
+      const auto surface = static_cast<memory::Surface>(i);
+      const auto& traffic = port_.traffic(surface);
+      result.traffic.push_back({std::string(memory::name_of(surface)), traffic.reads,
+                                traffic.writes, traffic.read_bytes, traffic.write_bytes});
+    }
+    result.memory = statistics_of(model_->statistics());
+    result.peak_bytes_per_cycle = model_->peak_bytes_per_cycle();
+    return result;
+  }
+
+ private:
+  static unsigned tiles_across(const RecordedFrame& frame) {
+    const unsigned tile = frame.rasterizer.tile;
+    return (static_cast<unsigned>(frame.layout.width) + tile - 1) / tile;
+  }
+  static void add_cache(BlockResult& result, std::string name, const memory::Cache& cache) {
+    result.caches.push_back({std::move(name), cache.hits(), cache.misses(), cache.write_backs()});
+  }
+  std::vector<const units::BlockUnit*> units() const {
+    return {&wedge_fetch_, &wedge_setup_, &tile_walk_, &tile_cull_,
+            &z_read_,      &penumbra_,    &li_update_};
+  }
+  std::string blocked() const {
+    std::string text = fmt::format("the block stopped at cycle {}:", units::kernel_cycle());
+    for (const Link<Token>* link : {&fetched_, &prepared_, &walked_, &surviving_, &read_, &lit_}) {
+      if (link->size() > 0) {
+        text += fmt::format(" {} holds {} of {};", link->name(), link->size(), link->depth());
+      }
+    }
+    for (const units::BlockUnit* unit : units()) {
+      if (!unit->finished()) text += fmt::format(" {} waits;", unit->basename());
+    }
+    return text;
+  }
+
+  std::size_t next_ = 0;
+  std::unique_ptr<memory::MemoryModel> model_;
+  memory::Layout layout_;
+  units::MemoryPort port_;
+  MemoryTarget target_;
+  Link<Token> fetched_, prepared_, walked_, surviving_, read_, lit_;
+  units::WedgeFetch wedge_fetch_;
+  units::WedgeSetup wedge_setup_;
+  units::TileWalk tile_walk_;
+  units::TileCull tile_cull_;
+  units::ZRead z_read_;
+  units::Penumbra penumbra_;
+  units::LiUpdate li_update_;
+};
+
+bool uses_z_fail(const traces::TraceView& trace, ZChoice choice) {
+  if (choice == ZChoice::pass && trace.header.z_fail_needed) {
+    throw InputError("z = pass", "the eye's near pyramid meets a shadow volume", "fail or auto");
+  }
+  return choice == ZChoice::fail || (choice == ZChoice::automatic && trace.header.z_fail_needed);
+}
+
+int z_bytes(traces::fb::DepthFormat format) {
+  return format == traces::fb::DepthFormat_unorm16 ? 2 : 4;
+}
+
+}  // namespace
+
+const UnitResult& BlockResult::bottleneck() const {
+  return *std::max_element(units.begin(), units.end(),
+                           [](const UnitResult& a, const UnitResult& b) {
+                             return a.busy + a.memory < b.busy + b.memory;
+                           });
+}
+
+std::uint64_t BlockResult::port_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const TrafficResult& surface : traffic) bytes += surface.read_bytes + surface.write_bytes;
+  return bytes;
+}
+
+RecordedFrame record_frame(const traces::TraceView& trace, const BlockConfig& config) {
+  RecordedFrame frame;
+  frame.rasterizer = config.rasterizer;
+  frame.z_fail = uses_z_fail(trace, config.rasterizer.z);
+  const auto walk =
+      std::make_shared<units::FrameWalk>(trace, config.rasterizer, frame.z_fail, config.formats);
+  while (auto work = walk->next()) frame.work.push_back(std::move(work));
+  frame.walk = walk;
+  memory::LayoutConfig& layout = frame.layout;
+  layout.width = static_cast<int>(trace.header.width);
+  layout.height = static_cast<int>(trace.header.height);
+  layout.tile = static_cast<int>(config.rasterizer.tile);
+  layout.z_bytes = z_bytes(trace.header.depth_format);
+  layout.li_bytes = config.formats.li.bits() <= 16 ? 2 : (config.formats.li.bits() <= 32 ? 4 : 8);
+  layout.stencil_bytes = config.formats.stencil_bits <= 8 ? 1 : 2;
+  layout.wedge_bytes = walk->record_bytes();
+  return frame;
+}
+
+BlockResult run_block(const RecordedFrame& frame, const BlockConfig& config,
+                      const BlockOptions& options) {
+  const ScopedSimulation simulation;
+  Block block(frame, config, options);
+  block.run();
+  return block.result();
+}
+
+}  // namespace wedgesim::model

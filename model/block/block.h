@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/counter.h"
+#include "model/block/config.h"
+#include "model/count/counters.h"
+#include "model/memory/memory_record.h"
+#include "model/units/frame_walk.h"
+#include "model/units/unit_time.h"
+#include "traces/trace.h"
+
+namespace wedgesim::model {
+
+/// The values of a frame, computed once: what every block with the same rasterizer and formats
+/// does, however long it takes.
+struct RecordedFrame {
+  CountConfig rasterizer;
+  bool z_fail = false;
+  memory::LayoutConfig layout;
+  std::vector<std::shared_ptr<const units::PrimitiveWork>> work;
+  std::shared_ptr<const units::FrameWalk> walk;  // its counters and LI words
+
+  const Counters& counters() const { return walk->datapath().counters(); }
+  const std::vector<std::int32_t>& li() const { return walk->datapath().li(); }
+};
+
+/// \param trace  sound; outlives the result
+/// \throws InputError as count() does
+RecordedFrame record_frame(const traces::TraceView& trace, const BlockConfig& config);
+
+/// A number of a result, with its meaning.
+struct Statistic {
+  std::string name, unit, description;
+  std::uint64_t value = 0;
+};
+
+struct UnitResult {
+  std::string name;
+  memory::Cycle busy = 0, starved = 0, stalled = 0;  // add up to the cycles of the run
+  memory::Cycle memory = 0;                          // part of stalled: waiting for memory
+  std::vector<Statistic> statistics;
+};
+
+struct CacheResult {
+  std::string name;
+  std::uint64_t hits = 0, misses = 0, write_backs = 0;
+};
+
+struct TrafficResult {
+  std::string surface;
+  std::uint64_t reads = 0, writes = 0, read_bytes = 0, write_bytes = 0;
+};
+
+/// A frame in time.
+struct BlockResult {
+  memory::Cycle cycles = 0;  // from the first fetch to the last write
+  std::vector<UnitResult> units;
+  std::vector<CacheResult> caches;
+  std::vector<TrafficResult> traffic;  // at the port: lines
+  std::vector<Statistic> memory;       // of the memory's own
+  double peak_bytes_per_cycle = 0.0;
+
+  /// The unit that is longest busy or waiting for memory: the others wait for it.
+  const UnitResult& bottleneck() const;
+  std::uint64_t port_bytes() const;
+};
+
+struct BlockOptions {
+  units::Timing timing = units::Timing::decoupled;
+  std::function<void(const memory::MemoryRecord&)> listener;  // of every access at the port
+};
+
+/// Runs a recorded frame through the units of a configuration.
+/// \param config  with the rasterizer and formats that the frame was recorded with
+/// \throws std::runtime_error if the units block each other, naming the queues
+BlockResult run_block(const RecordedFrame& frame, const BlockConfig& config,
+                      const BlockOptions& options = {});
+
+}  // namespace wedgesim::model

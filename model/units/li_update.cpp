@@ -1,0 +1,148 @@
+#include "model/units/li_update.h"
+
+#include <algorithm>
+
+namespace wedgesim::model::units {
+
+using memory::Cause;
+using memory::Surface;
+
+LiUpdate::LiUpdate(sc_core::sc_module_name name, Timing timing, const LiUpdateConfig& config,
+                   bool three_pass, MemoryPort& port, const memory::Layout& layout, Link<Token>& in)
+    : BlockUnit(name, timing),
+      config_(config),
+      three_pass_(three_pass),
+      port_(port),
+      layout_(layout),
+      in_(in),
+      li_(config.cache, "li_update"),
+      stencil_(config.stencil_cache, "li_update.stencil"),
+      outstanding_(config.outstanding),
+      updates_(static_cast<std::size_t>(config.update_cycles)) {}
+
+void LiUpdate::process() {
+  if (config_.clear == Clear::write) {
+    clear(Surface::li);
+    if (three_pass_) clear(Surface::stencil);
+  }
+  for (;;) {
+    const Token token = in_.pop(time_);
+    switch (token.kind) {
+      case Token::Kind::work:
+        work(token);
+        break;
+      case Token::Kind::merge:
+        merge(*token.primitive);
+        break;
+      case Token::Kind::barrier:
+        time_.work(static_cast<Cycle>(config_.update_cycles));
+        drained_(time_.now());
+        break;
+      case Token::Kind::end:
+        flush();
+        return;
+    }
+  }
+}
+
+void LiUpdate::clear(Surface surface) {
+  const std::uint64_t end = layout_.base(surface) + layout_.bytes(surface);
+  for (std::uint64_t line = layout_.base(surface); line < end; line += memory::kLineBytes) {
+    time_.work(1);
+    send({surface, Cause::clear}, Cause::clear, line);
+  }
+}
+
+void LiUpdate::work(const Token& token) {
+  const TileWork& tile = token.walked().work;
+  bool writes = false;
+  for (const BlockWork& block : tile.blocks) {
+    const std::uint64_t umbra = three_pass_ ? block.umbra_writes : 0;
+    const std::uint64_t li = block.writes | (block.umbra_writes & ~umbra);
+    if (umbra != 0) update(Surface::stencil, block, umbra, token, tile.tile);
+    if (li != 0) update(Surface::li, block, li, token, tile.tile);
+    // Unshared, a pixel of both polygons is updated twice.
+    const std::uint64_t twice = tile.shared || three_pass_ ? 0 : block.writes & block.umbra_writes;
+    if (twice != 0) update(Surface::li, block, twice, token, tile.tile);
+    writes = writes || (umbra | li) != 0;
+  }
+  if (!writes) time_.work(1);
+}
+
+void LiUpdate::update(Surface surface, const BlockWork& block, std::uint64_t pixels,
+                      const Token& token, std::uint32_t tile) {
+  const auto key = static_cast<std::uint32_t>(block.by) << 16 | block.bx;
+  wait_for_hazard(surface, key, pixels);
+  const AccessTag tag{surface, Cause::fill, token.wedge(), static_cast<std::int64_t>(tile)};
+  for (const std::uint64_t line : layout_.lines(surface, block.bx, block.by, pixels)) {
+    time_.work(1);
+    access(tag, line, true);
+    lines_ += 1;
+  }
+  updates_[next_update_] = {surface, key, pixels,
+                            time_.now() + static_cast<Cycle>(config_.update_cycles)};
+  next_update_ = (next_update_ + 1) % updates_.size();
+}
+
+// An update takes at least a cycle, so no older one than these can be under way.
+void LiUpdate::wait_for_hazard(Surface surface, std::uint32_t block, std::uint64_t pixels) {
+  const Cycle before = time_.now();
+  for (const Update& update : updates_) {
+    if (update.surface == surface && update.block == block && (update.pixels & pixels) != 0) {
+      time_.stall_until(update.done);
+    }
+  }
+  hazards_ += time_.now() - before;
+}
+
+void LiUpdate::access(const AccessTag& tag, std::uint64_t line, bool write) {
+  memory::Cache& cache = tag.surface == Surface::li ? li_ : stencil_;
+  const memory::Cache::Access access = cache.access(line, write);
+  if (access.write_back) {
+    const bool through = access.slot == memory::Cache::kNoSlot;
+    send(tag, through ? Cause::write_through : Cause::write_back, *access.write_back);
+  }
+  if (access.hit) {
+    time_.wait_for_memory_until(cache.ready(access.slot));
+    return;
+  }
+  // Without a cache the word is read and written in memory.
+  outstanding_.wait_for_one(time_);
+  const Cycle done = port_.access(time_, tag, line, memory::kLineBytes, false);
+  outstanding_.add(done);
+  if (access.slot != memory::Cache::kNoSlot) cache.set_ready(access.slot, done);
+}
+
+void LiUpdate::send(AccessTag tag, Cause cause, std::uint64_t line) {
+  tag.cause = cause;
+  port_.access(time_, tag, line, memory::kLineBytes, true);
+}
+
+void LiUpdate::merge(const PrimitiveWork& primitive) {
+  for (const MergedBlock& block : primitive.merged) {
+    for (const std::uint64_t line :
+         layout_.lines(Surface::stencil, block.bx, block.by, ~std::uint64_t{0})) {
+      time_.work(1);
+      access({Surface::stencil, Cause::merge}, line, false);
+    }
+    if (!block.any) continue;
+    for (const std::uint64_t line :
+         layout_.lines(Surface::li, block.bx, block.by, ~std::uint64_t{0})) {
+      time_.work(1);
+      access({Surface::li, Cause::merge}, line, true);
+    }
+  }
+}
+
+void LiUpdate::flush() {
+  const auto write = [this](Surface surface) {
+    return [this, surface](std::uint64_t line) {
+      time_.work(1);
+      send({surface, Cause::flush}, Cause::flush, line);
+    };
+  };
+  li_.flush(write(Surface::li));
+  stencil_.flush(write(Surface::stencil));
+}
+
+}  // namespace wedgesim::model::units

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "model/units/block_unit.h"
+#include "model/units/line_reader.h"
+
+namespace wedgesim::model::units {
+
+enum class Clear { none, write };
+
+struct LiUpdateConfig {
+  memory::CacheConfig cache{4096, 64, 4};          // of LI
+  memory::CacheConfig stencil_cache{2048, 64, 4};  // of the stencil, three-pass
+  int outstanding = 16;                            // fills under way, 1 to 256
+  int update_cycles = 3;                           // from a word's read to its write, 1 to 64
+  Clear clear = Clear::write;                      // LI and stencil, before the frame
+};
+
+/// Reads, modifies and writes the words of LI, and of the stencil in three-pass; merges the stencil
+/// into LI between the passes. Values by model/units/tile_work.h.
+///
+/// Rate    one line a cycle.
+/// Stall   while `outstanding` fills are under way, while a line is on its way in, and while a
+/// pixel
+///         is being updated for an earlier wedge (update_cycles): never reads a stale word.
+/// Source  Paper II, section 3.
+class LiUpdate final : public BlockUnit {
+ public:
+  LiUpdate(sc_core::sc_module_name name, Timing timing, const LiUpdateConfig& config,
+           bool three_pass, MemoryPort& port, const memory::Layout& layout, Link<Token>& in);
+
+  /// Called when a barrier has come through, with the first cycle in which the unit is empty.
+  void on_drained(std::function<void(Cycle)> listener) { drained_ = std::move(listener); }
+
+  const memory::Cache& li_cache() const { return li_; }
+  const memory::Cache& stencil_cache() const { return stencil_; }
+
+ private:
+  /// A set of pixels of one block that is being updated.
+  struct Update {
+    memory::Surface surface = memory::Surface::li;
+    std::uint32_t block = 0;
+    std::uint64_t pixels = 0;
+    Cycle done = 0;
+  };
+
+  void process() override;
+  void clear(memory::Surface surface);
+  void work(const Token& token);
+  void merge(const PrimitiveWork& primitive);
+  void flush();
+  void update(memory::Surface surface, const BlockWork& block, std::uint64_t pixels,
+              const Token& token, std::uint32_t tile);
+  void wait_for_hazard(memory::Surface surface, std::uint32_t block, std::uint64_t pixels);
+  void access(const AccessTag& tag, std::uint64_t line, bool write);
+  void send(AccessTag tag, memory::Cause cause, std::uint64_t line);
+
+  const LiUpdateConfig config_;
+  const bool three_pass_;
+  MemoryPort& port_;
+  const memory::Layout& layout_;
+  Link<Token>& in_;
+  memory::Cache li_, stencil_;
+  OutstandingReads outstanding_;
+  std::vector<Update> updates_;  // a ring of the last update_cycles
+  std::size_t next_update_ = 0;
+  std::function<void(Cycle)> drained_;
+  Counter lines_{statistics_, "lines", Unit::accesses, "Lines of LI and stencil updated"};
+  Counter hazards_{statistics_, "hazard_cycles", Unit::cycles,
+                   "Cycles held up by an update of the same pixel"};
+};
+
+}  // namespace wedgesim::model::units

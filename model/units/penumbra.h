@@ -1,0 +1,37 @@
+#pragma once
+
+#include "model/units/block_unit.h"
+
+namespace wedgesim::model::units {
+
+struct PenumbraConfig {
+  int lanes = 4;          // pixels a cycle: 1, 2, 4, 8, 16
+  LinkConfig out{8, 24};  // its latency is the depth of the pipeline
+};
+
+/// Decides which pixels are inside the wedge and hit by the umbra polygon, and computes light
+/// intensity or coverage; values by model/datapath.
+///
+/// Rate    `lanes` pixels a cycle; a pixel that face and unshared umbra polygon read counts twice.
+/// Latency out.latency_cycles.
+/// Stall   while `out` is full.
+/// Source  Paper II, section 3; Papers III and IV for coverage.
+class Penumbra final : public PipelineUnit {
+ public:
+  Penumbra(sc_core::sc_module_name name, Timing timing, const PenumbraConfig& config,
+           Link<Token>& in, Link<Token>& out)
+      : PipelineUnit(name, timing, in, out), lanes_(static_cast<unsigned>(config.lanes)) {}
+
+ private:
+  void work(const Token& token) override {
+    const unsigned pixels = token.walked().work.pixels();
+    time_.work((pixels + lanes_ - 1) / lanes_);
+    pixels_ += pixels;
+    out_.push(time_, token);
+  }
+
+  const unsigned lanes_;
+  Counter pixels_{statistics_, "pixels", Unit::pixels, "Pixels taken in"};
+};
+
+}  // namespace wedgesim::model::units

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <systemc>
+
+#include "base/counter.h"
+#include "model/memory/cycle.h"
+
+namespace wedgesim::model::units {
+
+using memory::Cycle;
+
+/// How the units keep time.
+enum class Timing {
+  /// Each unit runs ahead on a time of its own; links carry the times of their items, and a unit
+  /// waits for the kernel only before it touches memory (temporal decoupling).
+  decoupled,
+  /// Every unit waits for every cycle: the witness.
+  clocked,
+};
+
+/// What a SystemC cycle lasts; the clock's frequency matters outside the block alone.
+inline sc_core::sc_time cycle_time() { return {1, sc_core::SC_NS}; }
+inline Cycle kernel_cycle() {
+  return static_cast<Cycle>(sc_core::sc_time_stamp() / cycle_time() + 0.5);
+}
+
+/// A unit's own time. Every cycle of it is exactly one of busy, starved and stalled.
+class UnitTime {
+ public:
+  UnitTime(Timing timing, Group& statistics) : timing_(timing), statistics_(statistics) {}
+
+  Timing timing() const { return timing_; }
+  Cycle now() const { return now_; }
+  /// Works for some cycles.
+  void work(Cycle cycles) { advance(cycles, busy_); }
+  /// Has nothing to work on until a cycle.
+  void starve_until(Cycle cycle) { advance_to(cycle, starved_); }
+  /// Cannot hand on, or must wait for what it asked for, until a cycle.
+  void stall_until(Cycle cycle) { advance_to(cycle, stalled_); }
+  /// The same, for memory.
+  void wait_for_memory_until(Cycle cycle) {
+    if (cycle > now_) memory_ += cycle - now_;
+    stall_until(cycle);
+  }
+  /// Lets the kernel come up to this unit's time, so that what it does next happens in order.
+  void sync() const {
+    const Cycle kernel = kernel_cycle();
+    if (now_ > kernel) sc_core::wait(static_cast<double>(now_ - kernel) * cycle_time());
+  }
+
+  Cycle busy() const { return busy_.value(); }
+  Cycle starved() const { return starved_.value(); }
+  Cycle stalled() const { return stalled_.value(); }
+  /// Of the stalled cycles, those that waited for memory.
+  Cycle memory() const { return memory_.value(); }
+
+ private:
+  void advance_to(Cycle cycle, Counter& counter) {
+    if (cycle > now_) advance(cycle - now_, counter);
+  }
+  void advance(Cycle cycles, Counter& counter) {
+    counter += cycles;
+    if (timing_ == Timing::decoupled) {
+      now_ += cycles;
+      return;
+    }
+    for (; cycles > 0; --cycles) {
+      sc_core::wait(cycle_time());
+      ++now_;
+    }
+  }
+
+  Timing timing_;
+  Group& statistics_;
+  Cycle now_ = 0;
+  Counter busy_{statistics_, "busy_cycles", Unit::cycles, "Cycles at work"};
+  Counter starved_{statistics_, "starved_cycles", Unit::cycles, "Cycles without input"};
+  Counter stalled_{statistics_, "stalled_cycles", Unit::cycles, "Cycles held up by what follows"};
+  Counter memory_{statistics_, "memory_cycles", Unit::cycles, "Of them, cycles held up by memory"};
+};
+
+}  // namespace wedgesim::model::units

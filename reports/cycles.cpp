@@ -1,0 +1,241 @@
+#include "reports/cycles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "model/block/config_keys.h"
+#include "reports/table.h"
+
+namespace wedgesim::reports {
+namespace {
+
+using model::BlockResult;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// The words that the datapath reads and writes, at the widths of the layout.
+std::uint64_t datapath_bytes(const model::Counters& c, const model::memory::LayoutConfig& layout) {
+  const auto z = static_cast<std::uint64_t>(layout.z_bytes);
+  const auto li = static_cast<std::uint64_t>(layout.li_bytes);
+  const auto stencil = static_cast<std::uint64_t>(layout.stencil_bytes);
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(layout.width) * static_cast<std::uint64_t>(layout.height);
+  const bool three_pass = c.clear_writes.value() > pixels;
+  const std::uint64_t merged = c.merge_writes.value();
+  return z * (c.z_reads.value() + c.tile_reads.value()) +
+         li * (2 * c.li_reads.value() + 2 * merged + pixels) +
+         stencil * (2 * c.stencil_writes.value() + (three_pass ? 2 * pixels : 0)) +
+         c.wedge_bytes.value();
+}
+
+model::PixelCheck check_pixels(const traces::TraceView& trace, const model::RecordedFrame& frame,
+                               const model::BlockConfig& config) {
+  model::Datapath datapath(model::LiFormat::fixed);
+  datapath.formats = config.formats;
+  const auto method = frame.z_fail ? model::ZMethod::fail : model::ZMethod::pass;
+  model::PixelCheck check;
+  check.tolerance = datapath.tolerance();
+  const auto width = static_cast<int>(trace.header.width);
+  for (std::size_t i = 0; i < frame.li().size(); ++i) {
+    const auto pixel = static_cast<int>(i);
+    const auto compared =
+        model::compare_pixel(trace, method, pixel % width, pixel / width, frame.li()[i], datapath);
+    if (!compared) continue;
+    check.compared += 1;
+    check.max_error = std::max(check.max_error, std::abs(compared->error));
+    check.mismatched += model::matches(*compared, datapath) ? 0 : 1;
+  }
+  return check;
+}
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::uint64_t floor_bytes(const CyclesReport& report) {
+  const model::Counters& c = report.counters();
+  return 4 * c.z_reads_min.value() + 2 * 2 * c.li_writes_min.value();
+}
+
+Json configuration_json(const model::BlockConfig& config) {
+  model::BlockConfig values = config;
+  const model::CountConfig& r = config.rasterizer;
+  Json json{{"name", config.name}};
+  json["block"] = {{"mode", spelling(r.mode)},     {"tile", r.tile},
+                   {"cull", spelling(r.cull)},     {"umbra_cull", spelling(r.umbra_cull)},
+                   {"accept", spelling(r.accept)}, {"share", spelling(r.share)},
+                   {"z", spelling(r.z)},           {"tile_build", spelling(r.tile_build)}};
+  for (const model::BlockKey& key : model::kBlockKeys) {
+    json[std::string(key.section)][std::string(key.key)] = key.of(values);
+  }
+  json["li_update"]["clear"] = model::spelling(config.li_update.clear);
+  json["memory"]["kind"] = model::spelling(config.memory.kind);
+  if (config.memory.kind == model::MemoryKind::dram) {
+    for (const model::memory::DramKey& key : model::memory::kDramKeys) {
+      json["memory"]["dram"][std::string(key.key)] = config.memory.dram.*key.value;
+    }
+  }
+  for (const model::datapath::Width& width : model::datapath::kWidths) {
+    json["formats"][std::string(width.key)] = width.of(values.formats);
+  }
+  return json;
+}
+
+Json units_json(const BlockResult& result) {
+  Json units = Json::array();
+  for (const model::UnitResult& unit : result.units) {
+    Json json{{"name", unit.name},
+              {"busy_cycles", unit.busy},
+              {"starved_cycles", unit.starved},
+              {"stalled_cycles", unit.stalled},
+              {"memory_cycles", unit.memory}};
+    for (const model::Statistic& statistic : unit.statistics) {
+      if (!json.contains(statistic.name)) json[statistic.name] = statistic.value;
+    }
+    units.push_back(std::move(json));
+  }
+  return units;
+}
+
+Json memory_json(const CyclesReport& report) {
+  const BlockResult& result = report.result;
+  Json caches = Json::array();
+  for (const model::CacheResult& cache : result.caches) {
+    caches.push_back({{"name", cache.name},
+                      {"hits", cache.hits},
+                      {"misses", cache.misses},
+                      {"write_backs", cache.write_backs}});
+  }
+  Json surfaces = Json::array();
+  for (const model::TrafficResult& traffic : result.traffic) {
+    surfaces.push_back({{"name", traffic.surface},
+                        {"reads", traffic.reads},
+                        {"writes", traffic.writes},
+                        {"read_bytes", traffic.read_bytes},
+                        {"write_bytes", traffic.write_bytes}});
+  }
+  Json memory = Json::object();
+  for (const model::Statistic& statistic : result.memory) memory[statistic.name] = statistic.value;
+  return {{"datapath_bytes", report.datapath_bytes},
+          {"line_bytes", result.port_bytes()},
+          {"peak_bytes_per_cycle", result.peak_bytes_per_cycle},
+          {"caches", caches},
+          {"surfaces", surfaces},
+          {"model", memory}};
+}
+
+std::string row_of_rates(const CyclesReport& report) {
+  const auto cycles = static_cast<double>(std::max<model::memory::Cycle>(report.result.cycles, 1));
+  const double seconds = cycles / (1e6 * report.config.clock_mhz);
+  const double bytes = static_cast<double>(report.result.port_bytes());
+  return fmt::format(
+      "{:.1f} frames/s and {:.2f} GB/s at {} MHz (peak {:.1f} GB/s); {:.2f} bytes at the port for "
+      "each byte that must move\n",
+      1.0 / seconds, bytes / seconds / 1e9, report.config.clock_mhz,
+      report.result.peak_bytes_per_cycle * report.config.clock_mhz / 1e3,
+      bytes / static_cast<double>(std::max<std::uint64_t>(floor_bytes(report), 1)));
+}
+
+}  // namespace
+
+CyclesReport run_cycles(const traces::TraceView& trace, const model::BlockConfig& config,
+                        const model::BlockOptions& options) {
+  CyclesReport report;
+  report.trace = info_of(trace);
+  report.config = config;
+  const auto start = Clock::now();
+  const model::RecordedFrame frame = model::record_frame(trace, config);
+  report.value_seconds = seconds_since(start);
+  const auto replay = Clock::now();
+  report.result = model::run_block(frame, config, options);
+  report.seconds = seconds_since(replay);
+  report.z_fail = frame.z_fail;
+  report.frame = frame.walk;
+  report.pixels = check_pixels(trace, frame, config);
+  report.datapath_bytes = datapath_bytes(frame.counters(), frame.layout);
+  return report;
+}
+
+bool held(const CyclesReport& report) { return report.pixels.mismatched == 0; }
+
+Json cycles_json(const CyclesReport& report) {
+  Json counters = Json::object();
+  for (const Counter* counter : report.counters().counters()) {
+    counters[std::string(counter->name())] = counter->value();
+  }
+  return {{"schema", "wedgesim.cycles/1"},
+          {"trace", to_json(report.trace)},
+          {"configuration", configuration_json(report.config)},
+          {"cycles", report.result.cycles},
+          {"tile", report.config.rasterizer.tile},
+          {"z", report.z_fail ? "fail" : "pass"},
+          {"bottleneck", report.result.bottleneck().name},
+          {"counters", counters},
+          {"units", units_json(report.result)},
+          {"memory", memory_json(report)},
+          {"pixels",
+           {{"compared", report.pixels.compared},
+            {"max_error", report.pixels.max_error},
+            {"mismatched", report.pixels.mismatched},
+            {"tolerance", report.pixels.tolerance}}},
+          {"timing", {{"value_seconds", report.value_seconds}, {"seconds", report.seconds}}}};
+}
+
+std::string cycles_text(const CyclesReport& report) {
+  const BlockResult& result = report.result;
+  std::string text = fmt::format(
+      "{}: {}x{}, {} wedges; {}: {}, tile {}, z-{}\n\n{} cycles, the bottleneck is {}\n",
+      report.trace.name, report.trace.width, report.trace.height, report.trace.wedges,
+      report.config.name, spelling(report.config.rasterizer.mode), report.config.rasterizer.tile,
+      report.z_fail ? "fail" : "pass", grouped(result.cycles), result.bottleneck().name);
+  text += row_of_rates(report) + '\n';
+  Table units;
+  units.add_column("unit", Table::Align::left);
+  for (const char* title : {"busy", "starved", "stalled", "on memory", "busy %"}) {
+    units.add_column(title, Table::Align::right);
+  }
+  for (const model::UnitResult& unit : result.units) {
+    units.add_row({unit.name, grouped(unit.busy), grouped(unit.starved), grouped(unit.stalled),
+                   grouped(unit.memory), fmt::format("{:.1f}", percent(unit.busy, result.cycles))});
+  }
+  text += units.text() + '\n';
+  Table caches;
+  caches.add_column("cache", Table::Align::left);
+  for (const char* title : {"hits", "misses", "hit %", "written back"}) {
+    caches.add_column(title, Table::Align::right);
+  }
+  for (const model::CacheResult& cache : result.caches) {
+    caches.add_row({cache.name, grouped(cache.hits), grouped(cache.misses),
+                    fmt::format("{:.1f}", percent(cache.hits, cache.hits + cache.misses)),
+                    grouped(cache.write_backs)});
+  }
+  text += caches.text() + '\n';
+  Table bytes;
+  bytes.add_column("bytes", Table::Align::left);
+  for (const char* title : {"read", "written"}) bytes.add_column(title, Table::Align::right);
+  for (const model::TrafficResult& traffic : result.traffic) {
+    bytes.add_row({traffic.surface, grouped(traffic.read_bytes), grouped(traffic.write_bytes)});
+  }
+  text += bytes.text() + '\n';
+  text += fmt::format("bytes: {} by the datapath, {} in cache lines at the port\n",
+                      grouped(report.datapath_bytes), grouped(result.port_bytes()));
+  Table memory;
+  memory.add_column(fmt::format("memory ({})", spelling(report.config.memory.kind)),
+                    Table::Align::left);
+  memory.add_column("", Table::Align::right);
+  memory.add_column("", Table::Align::left);
+  for (const model::Statistic& statistic : result.memory) {
+    memory.add_row({statistic.name, grouped(statistic.value), statistic.description});
+  }
+  text += '\n' + memory.text() + '\n';
+  return text + fmt::format("pixels: {} compared; max error {:.2g}, {} mismatched\n",
+                            grouped(report.pixels.compared), report.pixels.max_error,
+                            grouped(report.pixels.mismatched));
+}
+
+}  // namespace wedgesim::reports
