@@ -59,7 +59,7 @@ double percent(std::uint64_t part, std::uint64_t whole) {
 
 std::uint64_t floor_bytes(const CyclesReport& report) {
   const model::Counters& c = report.counters();
-  return 4 * c.z_reads_min.value() + 2 * 2 * c.li_writes_min.value();
+  return 4 * c.z_reads_floor.value() + 2 * 2 * c.li_writes_floor.value();
 }
 
 Json configuration_json(const model::BlockConfig& config) {

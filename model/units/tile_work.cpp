@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "model/count/traffic.h"
 #include "model/units/tile_decision.h"
 
 namespace wedgesim::model::units {
@@ -55,6 +56,8 @@ TileDatapath::TileDatapath(const traces::TraceView& trace, const CountConfig& co
       true_stencil_(stencil_.size()),
       z_touched_(trace.depth.size()),
       li_touched_(trace.depth.size()),
+      inside_(trace.depth.size()),
+      contributions_(trace.depth.size()),
       tiles_read_(depth_.tile_count()) {}
 
 bool TileDatapath::shared() const {
@@ -251,6 +254,8 @@ void TileDatapath::work_on_part(std::size_t index, const Tests& tests, TileWork&
     std::int64_t words = 0;
     if ((block.reads & pixel) != 0 && (tests.untested || inside(at))) {
       block.writes |= pixel;
+      inside_[depth_.index(x, y)] = true;
+      contributions_[depth_.index(x, y)] += 1;
       words = formats_.li.of(datapath::contribution(primitive_->light, at, round_));
       if (primitive_->coverage && !inner(at, covered)) words = -words;
     }
@@ -259,6 +264,7 @@ void TileDatapath::work_on_part(std::size_t index, const Tests& tests, TileWork&
     }
     const int step = (block.umbra_writes & pixel) != 0 ? primitive_->umbra->step : 0;
     if (((block.writes | block.umbra_writes) & pixel) != 0) write(x, y, words, step);
+    if (step != 0) contributions_[depth_.index(x, y)] += 1;
     if (((block.reads | block.umbra_reads) & pixel) != 0) z_touched_[depth_.index(x, y)] = true;
   }
   const std::uint64_t umbra_writes = bit_count(block.umbra_writes);
@@ -291,10 +297,8 @@ bool TileDatapath::merge(int bx, int by) {
   for (int y = 8 * by; y < std::min(8 * by + 8, depth_.height()); ++y) {
     for (int x = 8 * bx; x < std::min(8 * bx + 8, depth_.width()); ++x) {
       const std::size_t i = depth_.index(x, y);
-      counters_.merge_reads += 1;
       if (stencil_[i] == 0) continue;
       any = true;
-      counters_.merge_reads += 1;
       counters_.merge_writes += 1;
       li_[i] =
           static_cast<std::int32_t>(formats_.li.wrap(li_[i] + stencil_[i] * formats_.li.one()));
@@ -306,9 +310,6 @@ bool TileDatapath::merge(int bx, int by) {
 void TileDatapath::finish() {
   const std::size_t pixels = trace_.depth.size();
   const bool three = config_.mode == Mode::three_pass;
-  counters_.stencil_reads = counters_.stencil_writes.value();
-  counters_.li_reads = counters_.li_writes.value() - counters_.stencil_writes.value();
-  counters_.clear_writes = three ? 2 * pixels : pixels;
   const unsigned words = face_words(config_.cull) | umbra_words(config_);
   const std::uint64_t stored = words == 0 ? 0 : ((words & kZmin) != 0 ? 2 : 1);
   counters_.tile_words = stored * depth_.tile_count();
@@ -325,11 +326,16 @@ void TileDatapath::finish() {
   const datapath::LiWord stencil{formats_.stencil_bits, 0};
   for (std::size_t i = 0; i < pixels; ++i) {
     counters_.z_reads_min += z_touched_[i] ? 1 : 0;
+    counters_.z_reads_floor += inside_[i] ? 1 : 0;
+    counters_.contributions_max =
+        std::max<std::uint64_t>(counters_.contributions_max.value(), contributions_[i]);
     counters_.li_writes_min += li_touched_[i] ? 1 : 0;
     counters_.li_writes_floor += true_li_[i] != formats_.li.one() ? 1 : 0;
     const bool bad = !formats_.li.holds(true_li_[i]) || (three && !stencil.holds(true_stencil_[i]));
     counters_.li_overflow_pixels += bad ? 1 : 0;
   }
+  finish_traffic(counters_, config_.mode, trace_.header.depth_format, pixels,
+                 counters_.merge_writes.value());
 }
 
 }  // namespace wedgesim::model::units

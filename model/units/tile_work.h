@@ -93,7 +93,8 @@ class TileDatapath {
   std::vector<std::int32_t> stencil_;
   std::vector<std::int64_t> true_li_;       // sums that do not wrap, to know an overflow
   std::vector<std::int32_t> true_stencil_;  // the same
-  std::vector<bool> z_touched_, li_touched_;
+  std::vector<bool> z_touched_, li_touched_, inside_;
+  std::vector<std::uint32_t> contributions_;
   std::vector<bool> tiles_read_;
   const SetupPrimitive* primitive_ = nullptr;
   Pass pass_ = Pass::single;

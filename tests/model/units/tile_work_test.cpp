@@ -35,11 +35,6 @@ std::string label(const CountConfig& config) {
   return text + " tile " + std::to_string(config.tile);
 }
 
-// What the frame is, whatever the block does, and what depends on the widths of memory words.
-bool only_the_counter_knows(std::string_view name) {
-  return name == "z_reads_floor" || name == "contributions_max" || name == "all_bytes";
-}
-
 void expect_equal(const traces::TraceView& trace, const std::vector<CountConfig>& configs) {
   CountOptions options;
   options.datapath = LiFormat::fixed;
@@ -52,7 +47,6 @@ void expect_equal(const traces::TraceView& trace, const std::vector<CountConfig>
     const TileDatapath& block = walk.datapath();
     for (std::size_t i = 0; i < block.counters().counters().size(); ++i) {
       const Counter& counter = *block.counters().counters()[i];
-      if (only_the_counter_knows(counter.name())) continue;
       EXPECT_EQ(counter.value(), expected.counters->counters()[i]->value())
           << counter.name() << ": " << label(expected.config);
     }
