@@ -34,10 +34,10 @@ class MemoryTarget final : public sc_core::sc_module {
 
  private:
   void transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {
-    const Cycle at = units::kernel_cycle() + static_cast<Cycle>(delay / units::cycle_time() + 0.5);
+    const Cycle at = units::kernel_cycle() + units::time_to_cycles(delay);
     const Cycle done =
         model_.access(payload.get_address(), payload.get_data_length(), payload.is_write(), at);
-    delay += static_cast<double>(done - at) * units::cycle_time();
+    delay += units::cycles_to_time(done - at);
     payload.set_response_status(tlm::TLM_OK_RESPONSE);
   }
 
@@ -76,8 +76,8 @@ class Block {
         lit_("penumbra to li_update", config.penumbra.out),
         wedge_fetch_(
             "wedge_fetch", options.timing, config.wedge_fetch,
-            [this, &frame]() -> std::shared_ptr<const units::PrimitiveWork> {
-              return next_ < frame.work.size() ? frame.work[next_++] : nullptr;
+            [this, &frame] {
+              return next_ < frame.work.size() ? frame.work[next_++].get() : nullptr;
             },
             port_, layout_, fetched_),
         wedge_setup_("wedge_setup", options.timing, config.wedge_setup, fetched_, prepared_),

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string_view>
 #include <systemc>
 
@@ -17,8 +16,8 @@ struct Token {
   enum class Kind : std::uint8_t { work, merge, barrier, end };
 
   Kind kind = Kind::work;
-  std::uint32_t tile = 0;  // of the primitive's tiles
-  std::shared_ptr<const PrimitiveWork> primitive;
+  std::uint32_t tile = 0;                    // of the primitive's tiles
+  const PrimitiveWork* primitive = nullptr;  // of the recorded frame, which outlives the block
 
   const WalkedTile& walked() const { return primitive->tiles[tile]; }
   std::int64_t wedge() const {

@@ -19,17 +19,24 @@ class FrameDepth {
         tile_(tile),
         tiles_x_((width_ + tile - 1) / tile),
         tiles_y_((height_ + tile - 1) / tile),
-        tiles_(static_cast<std::size_t>(tiles_x_) * static_cast<std::size_t>(tiles_y_),
-               {INT64_MAX, INT64_MIN}) {
+        tiles_(static_cast<std::size_t>(tiles_x_) * static_cast<std::size_t>(tiles_y_)) {
     const datapath::ZSteps steps(trace.header.depth_format);
-    z_.reserve(trace.depth.size());
-    for (std::uint32_t word : trace.depth) {
-      z_.push_back(static_cast<std::int32_t>(steps.of_word(word)));
-    }
-    for (int y = 0; y < height_; ++y) {
-      for (int x = 0; x < width_; ++x) {
-        ZSpan& tile_span = tiles_[tile_index(x / tile, y / tile)];
-        tile_span = {std::min(tile_span.min, z(x, y)), std::max(tile_span.max, z(x, y))};
+    z_.resize(trace.depth.size());
+    std::transform(
+        trace.depth.begin(), trace.depth.end(), z_.begin(),
+        [&steps](std::uint32_t word) { return static_cast<std::int32_t>(steps.of_word(word)); });
+    for (int ty = 0; ty < tiles_y_; ++ty) {
+      for (int tx = 0; tx < tiles_x_; ++tx) {
+        const PixelBox p = pixels(tx, ty);
+        std::int32_t low = INT32_MAX;
+        std::int32_t high = INT32_MIN;
+        for (int y = p.y0; y < p.y1; ++y) {
+          for (int x = p.x0; x < p.x1; ++x) {
+            low = std::min(low, z_[index(x, y)]);
+            high = std::max(high, z_[index(x, y)]);
+          }
+        }
+        tiles_[tile_index(tx, ty)] = {low, high};
       }
     }
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <deque>
 #include <string>
 #include <systemc>
 #include <utility>
@@ -29,7 +28,8 @@ class Link {
       : name_(std::move(name)),
         depth_(static_cast<std::size_t>(config.depth)),
         latency_(static_cast<Cycle>(config.latency_cycles)),
-        pop_times_(depth_) {}
+        pop_times_(depth_),
+        items_(depth_) {}
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
 
@@ -39,36 +39,34 @@ class Link {
     if (time.timing() == Timing::clocked) {
       while (full() || slot_free() > time.now()) time.stall_until(time.now() + 1);
     } else {
-      while (full()) sc_core::wait(popped_event_);
+      while (full()) wait_for(popped_event_, producer_waits_);
       time.stall_until(slot_free());
     }
     last_visible_ = std::max({last_visible_, time.now() + latency_, ready});
-    items_.push_back({last_visible_, std::move(item)});
+    items_[pushed_ % depth_] = {last_visible_, std::move(item)};
     ++pushed_;
-    pushed_event_.notify();
+    if (consumer_waits_) pushed_event_.notify();
   }
 
   /// Called by the consumer: waits for an item, starved.
   Item pop(UnitTime& time) {
+    const Entry& front = items_[popped_ % depth_];
     if (time.timing() == Timing::clocked) {
-      while (items_.empty() || items_.front().visible > time.now()) {
-        time.starve_until(time.now() + 1);
-      }
+      while (empty() || front.visible > time.now()) time.starve_until(time.now() + 1);
     } else {
-      while (items_.empty()) sc_core::wait(pushed_event_);
-      time.starve_until(items_.front().visible);
+      while (empty()) wait_for(pushed_event_, consumer_waits_);
+      time.starve_until(front.visible);
     }
-    Item item = std::move(items_.front().item);
-    items_.pop_front();
     pop_times_[popped_ % depth_] = time.now();
+    Item item = std::move(items_[popped_ % depth_].item);
     ++popped_;
-    popped_event_.notify();
+    if (producer_waits_) popped_event_.notify();
     return item;
   }
 
   const std::string& name() const { return name_; }
   std::size_t depth() const { return depth_; }
-  std::size_t size() const { return items_.size(); }
+  std::size_t size() const { return pushed_ - popped_; }
   std::size_t pushed() const { return pushed_; }
 
  private:
@@ -76,7 +74,13 @@ class Link {
     Cycle visible;
     Item item;
   };
-  bool full() const { return pushed_ - popped_ >= depth_; }
+  bool full() const { return size() >= depth_; }
+  bool empty() const { return size() == 0; }
+  static void wait_for(const sc_core::sc_event& event, bool& waits) {
+    waits = true;
+    sc_core::wait(event);
+    waits = false;
+  }
   // The first cycle in which the next push finds its slot free.
   Cycle slot_free() const { return pushed_ < depth_ ? 0 : pop_times_[pushed_ % depth_] + 1; }
 
@@ -84,9 +88,10 @@ class Link {
   std::size_t depth_;
   Cycle latency_;
   std::vector<Cycle> pop_times_;  // of the last `depth` items, by their number modulo depth
-  std::deque<Entry> items_;
+  std::vector<Entry> items_;      // number n at n modulo depth
   Cycle last_visible_ = 0;
   std::size_t pushed_ = 0, popped_ = 0;
+  bool producer_waits_ = false, consumer_waits_ = false;
   sc_core::sc_event pushed_event_, popped_event_;
 };
 

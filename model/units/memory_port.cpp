@@ -18,10 +18,12 @@ Cycle MemoryPort::access(UnitTime& time, const AccessTag& tag, std::uint64_t add
   payload_.set_byte_enable_ptr(nullptr);
   payload_.set_dmi_allowed(false);
   payload_.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
-  sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
+  // The kernel may be behind: the target hears by how much.
+  const Cycle kernel = kernel_cycle();
+  sc_core::sc_time delay = cycles_to_time(time.now() > kernel ? time.now() - kernel : 0);
   socket->b_transport(payload_, delay);
   CHECK_EQ(payload_.is_response_ok(), true);
-  const Cycle done = kernel_cycle() + static_cast<Cycle>(delay / cycle_time() + 0.5);
+  const Cycle done = kernel_cycle() + time_to_cycles(delay);
   last_done_ = std::max(last_done_, done);
   Traffic& traffic = traffic_[static_cast<std::size_t>(tag.surface)];
   (write ? traffic.writes : traffic.reads) += 1;

@@ -18,11 +18,16 @@ enum class Timing {
   clocked,
 };
 
-/// What a SystemC cycle lasts; the clock's frequency matters outside the block alone.
-inline sc_core::sc_time cycle_time() { return {1, sc_core::SC_NS}; }
-inline Cycle kernel_cycle() {
-  return static_cast<Cycle>(sc_core::sc_time_stamp() / cycle_time() + 0.5);
+/// Cycles in SystemC's time: one lasts a nanosecond, a thousand of the kernel's default resolution;
+/// the clock's frequency matters outside the block alone.
+inline constexpr Cycle kResolutionsPerCycle = 1000;
+inline sc_core::sc_time cycles_to_time(Cycle cycles) {
+  return sc_core::sc_time::from_value(kResolutionsPerCycle * cycles);
 }
+inline Cycle time_to_cycles(const sc_core::sc_time& time) {
+  return time.value() / kResolutionsPerCycle;
+}
+inline Cycle kernel_cycle() { return time_to_cycles(sc_core::sc_time_stamp()); }
 
 /// A unit's own time. Every cycle of it is exactly one of busy, starved and stalled.
 class UnitTime {
@@ -42,10 +47,14 @@ class UnitTime {
     if (cycle > now_) memory_ += cycle - now_;
     stall_until(cycle);
   }
-  /// Lets the kernel come up to this unit's time, so that what it does next happens in order.
+  /// Lets everything that happens before this unit's time happen first. The kernel may stay behind
+  /// if nothing else is due until then.
   void sync() const {
     const Cycle kernel = kernel_cycle();
-    if (now_ > kernel) sc_core::wait(static_cast<double>(now_ - kernel) * cycle_time());
+    if (now_ <= kernel) return;
+    const sc_core::sc_time ahead = cycles_to_time(now_ - kernel);
+    if (sc_core::sc_time_to_pending_activity() > ahead) return;
+    sc_core::wait(ahead);
   }
 
   Cycle busy() const { return busy_.value(); }
@@ -65,7 +74,7 @@ class UnitTime {
       return;
     }
     for (; cycles > 0; --cycles) {
-      sc_core::wait(cycle_time());
+      sc_core::wait(cycles_to_time(1));
       ++now_;
     }
   }

@@ -19,14 +19,14 @@ void WedgeFetch::drained(Cycle cycle) {
 }
 
 void WedgeFetch::process() {
-  while (auto primitive = source_()) {
+  while (const PrimitiveWork* primitive = source_()) {
     if (primitive->barrier) {
       out_.push(time_, {Token::Kind::barrier, 0, nullptr});
       wait_until_drained();
     }
     const Cycle ready = fetch(*primitive);
     const auto kind = primitive->merged.empty() ? Token::Kind::work : Token::Kind::merge;
-    out_.push(time_, {kind, 0, std::move(primitive)}, ready);
+    out_.push(time_, {kind, 0, primitive}, ready);
   }
   out_.push(time_, {Token::Kind::end, 0, nullptr});
 }

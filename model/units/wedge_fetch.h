@@ -20,7 +20,7 @@ struct WedgeFetchConfig {
 /// Source  Paper II, section 3.
 class WedgeFetch final : public BlockUnit {
  public:
-  using Source = std::function<std::shared_ptr<const PrimitiveWork>()>;
+  using Source = std::function<const PrimitiveWork*()>;  // null at the end
 
   WedgeFetch(sc_core::sc_module_name name, Timing timing, const WedgeFetchConfig& config,
              Source source, MemoryPort& port, const memory::Layout& layout, Link<Token>& out);
