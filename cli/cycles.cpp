@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/file.h"
+#include "base/toml_table.h"
 #include "cli/command.h"
 #include "cli/parse.h"
 #include "cli/print.h"
@@ -20,17 +21,29 @@ namespace wedgesim::cli {
 namespace {
 
 struct Arguments {
-  std::string file, config = "paper2-single", json, memory_trace, memory_trace_format = "csv";
+  std::string file, config = "paper2-single", json, memory_trace, memory_trace_format = "csv",
+                    energy, maps;
   bool clocked = false, print_config = false;
 };
 
+std::optional<model::memory::EnergyTable> energy_of(const Arguments& arguments) {
+  if (arguments.energy.empty()) return {};
+  const MappedFile mapped(arguments.energy);
+  const auto bytes = mapped.bytes();
+  const toml::table root =
+      parse_toml({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, arguments.energy);
+  return model::memory::read_energy(TomlTable(root, arguments.energy));
+}
+
 reports::CyclesReport run_block(const Arguments& arguments, const traces::TraceView& trace,
                                 const model::BlockConfig& config) {
+  const std::optional<model::memory::EnergyTable> energy = energy_of(arguments);
+  const model::memory::EnergyTable* table = energy ? &*energy : nullptr;
   model::BlockOptions options;
   if (arguments.clocked) options.timing = model::units::Timing::clocked;
   Progress progress;
   progress.show(fmt::format("{}: the block at work", trace.header.name));
-  if (arguments.memory_trace.empty()) return reports::run_cycles(trace, config, options);
+  if (arguments.memory_trace.empty()) return reports::run_cycles(trace, config, options, table);
   reports::MemoryTraceOptions trace_options;
   trace_options.format =
       reports::memory_trace_format(arguments.memory_trace_format, "--memory-trace-format");
@@ -42,7 +55,7 @@ reports::CyclesReport run_block(const Arguments& arguments, const traces::TraceV
     std::ofstream out(temporary, std::ios::binary);
     reports::MemoryTraceWriter writer(out, trace_options);
     options.listener = [&writer](const auto& record) { writer.write(record); };
-    report = reports::run_cycles(trace, config, options);
+    report = reports::run_cycles(trace, config, options, table);
     out.close();
     if (!out) {
       throw InputError(arguments.memory_trace, "cannot be written", "a writable file with room");
@@ -60,13 +73,16 @@ int run(const Arguments& arguments) {
   if (arguments.file.empty()) throw InputError("wedgesim cycles", "no FILE given", "a trace");
   const traces::TraceFile trace(arguments.file);
   const std::array inputs{std::filesystem::path(arguments.file),
-                          std::filesystem::path(arguments.config)};
+                          std::filesystem::path(arguments.config),
+                          std::filesystem::path(arguments.energy)};
   for (const std::string& output : {arguments.json, arguments.memory_trace}) {
     if (!output.empty()) require_not_read(output, inputs);
   }
   const reports::CyclesReport report = run_block(arguments, trace.view(), config);
   if (!arguments.json.empty()) reports::write_json(arguments.json, reports::cycles_json(report));
-  print(reports::cycles_text(report));
+  const std::string maps =
+      arguments.maps.empty() ? "" : reports::write_tile_maps(arguments.maps, report);
+  print(reports::cycles_text(report) + maps);
   return reports::held(report) ? 0 : 1;
 }
 
@@ -90,6 +106,13 @@ Command add_cycles(CLI::App& program) {
                   "Of that file: csv, dramsys, dramsim3, ramulator")
       ->type_name("NAME")
       ->capture_default_str();
+  app->add_option("--energy", arguments->energy,
+                  "What accesses cost, TOML: datapath_word_pj, cache_access_pj, dram_byte_pj, "
+                  "dram_activate_pj")
+      ->type_name("FILE");
+  app->add_option("--maps", arguments->maps,
+                  "Write maps of the tiles: PREFIX_tile_bytes, PREFIX_tile_cycles as .png and .exr")
+      ->type_name("PREFIX");
   app->footer("Example:\n  wedgesim cycles out/paper2/bunny.wtrace --config paper2-single");
   return {app, [arguments] { return run(*arguments); }};
 }

@@ -6,6 +6,8 @@
 #include <chrono>
 
 #include "model/block/config_keys.h"
+#include "reports/picture.h"
+#include "reports/port_profile.h"
 #include "reports/table.h"
 
 namespace wedgesim::reports {
@@ -51,6 +53,43 @@ model::PixelCheck check_pixels(const traces::TraceView& trace, const model::Reco
     check.mismatched += model::matches(*compared, datapath) ? 0 : 1;
   }
   return check;
+}
+
+std::uint64_t statistic(const BlockResult& result, std::string_view name) {
+  for (const model::Statistic& statistic : result.memory) {
+    if (statistic.name == name) return statistic.value;
+  }
+  return 0;
+}
+
+model::memory::EnergyCounts energy_counts(const CyclesReport& report) {
+  const model::Counters& c = report.counters();
+  model::memory::EnergyCounts counts;
+  counts.datapath_words = c.z_reads.value() + c.tile_reads.value() + c.li_reads.value() +
+                          c.stencil_reads.value() + c.li_writes.value() + c.merge_reads.value() +
+                          c.merge_writes.value();
+  for (const model::CacheResult& cache : report.result.caches) {
+    counts.cache_accesses += cache.hits + cache.misses;
+  }
+  const bool dram = report.config.memory.kind == model::MemoryKind::dram;
+  counts.dram_bytes = dram ? statistic(report.result, "bytes") : report.result.port_bytes();
+  counts.dram_activates =
+      statistic(report.result, "row_misses") + statistic(report.result, "row_conflicts");
+  return counts;
+}
+
+// Cycles of the two units that take longer for some tiles than for others whatever memory does.
+std::vector<std::uint64_t> tile_cycles_of(const model::RecordedFrame& frame, int lanes,
+                                          std::size_t tiles) {
+  std::vector<std::uint64_t> cycles(tiles);
+  for (const auto& primitive : frame.work) {
+    for (const auto& tile : primitive->tiles) {
+      const unsigned pixels = tile.work.pixels();
+      const auto wide = static_cast<unsigned>(lanes);
+      cycles[tile.work.tile] += tile.work.visits + (pixels + wide - 1) / wide;
+    }
+  }
+  return cycles;
 }
 
 double percent(std::uint64_t part, std::uint64_t whole) {
@@ -124,9 +163,19 @@ Json memory_json(const CyclesReport& report) {
   return {{"datapath_bytes", report.datapath_bytes},
           {"line_bytes", result.port_bytes()},
           {"peak_bytes_per_cycle", result.peak_bytes_per_cycle},
+          {"busiest_bytes_per_cycle", report.peak_bytes_per_cycle},
           {"caches", caches},
           {"surfaces", surfaces},
           {"model", memory}};
+}
+
+Json energy_json(const CyclesReport& report) {
+  if (!report.energy) return {};
+  return {{"datapath", report.energy->datapath},
+          {"caches", report.energy->cache},
+          {"dram_bytes", report.energy->dram_bytes},
+          {"dram_activates", report.energy->dram_activates},
+          {"total", report.energy->total()}};
 }
 
 std::string row_of_rates(const CyclesReport& report) {
@@ -134,9 +183,12 @@ std::string row_of_rates(const CyclesReport& report) {
   const double seconds = cycles / (1e6 * report.config.clock_mhz);
   const double bytes = static_cast<double>(report.result.port_bytes());
   return fmt::format(
-      "{:.1f} frames/s and {:.2f} GB/s at {} MHz (peak {:.1f} GB/s); {:.2f} bytes at the port for "
-      "each byte that must move\n",
+      "{:.1f} frames/s and {:.2f} GB/s at {} MHz, {:.2f} GB/s asked for in the busiest {} cycles "
+      "(the "
+      "memory's "
+      "peak is {:.1f}); {:.2f} bytes at the port for each byte that must move\n",
       1.0 / seconds, bytes / seconds / 1e9, report.config.clock_mhz,
+      report.peak_bytes_per_cycle * report.config.clock_mhz / 1e3, PortProfile::kWindowCycles,
       report.result.peak_bytes_per_cycle * report.config.clock_mhz / 1e3,
       bytes / static_cast<double>(std::max<std::uint64_t>(floor_bytes(report), 1)));
 }
@@ -144,24 +196,62 @@ std::string row_of_rates(const CyclesReport& report) {
 }  // namespace
 
 CyclesReport run_cycles(const traces::TraceView& trace, const model::BlockConfig& config,
-                        const model::BlockOptions& options) {
+                        const model::BlockOptions& options,
+                        const model::memory::EnergyTable* energy) {
   CyclesReport report;
   report.trace = info_of(trace);
   report.config = config;
   const auto start = Clock::now();
   const model::RecordedFrame frame = model::record_frame(trace, config);
   report.value_seconds = seconds_since(start);
+  const std::size_t tiles = frame.walk->datapath().depth().tile_count();
+  PortProfile profile(tiles);
+  model::BlockOptions profiled = options;
+  profiled.listener = [&](const model::memory::MemoryRecord& record) {
+    profile.add(record);
+    if (options.listener) options.listener(record);
+  };
   const auto replay = Clock::now();
-  report.result = model::run_block(frame, config, options);
+  report.result = model::run_block(frame, config, profiled);
   report.seconds = seconds_since(replay);
   report.z_fail = frame.z_fail;
   report.frame = frame.walk;
   report.pixels = check_pixels(trace, frame, config);
   report.datapath_bytes = datapath_bytes(frame.counters(), frame.layout);
+  report.peak_bytes_per_cycle = profile.peak_bytes_per_cycle();
+  report.tile_bytes = profile.tile_bytes();
+  report.tile_cycles = tile_cycles_of(frame, config.penumbra.lanes, tiles);
+  if (energy != nullptr) {
+    report.energy = model::memory::energy_of(*energy, energy_counts(report));
+  }
   return report;
 }
 
 bool held(const CyclesReport& report) { return report.pixels.mismatched == 0; }
+
+std::string write_tile_maps(const std::string& prefix, const CyclesReport& report) {
+  const auto width = static_cast<int>(report.trace.width);
+  const auto height = static_cast<int>(report.trace.height);
+  const auto tile = static_cast<int>(report.config.rasterizer.tile);
+  const int across = (width + tile - 1) / tile;
+  std::string scales;
+  for (const auto& [name, tiles] : {std::pair{"_tile_bytes", &report.tile_bytes},
+                                    std::pair{"_tile_cycles", &report.tile_cycles}}) {
+    std::vector<float> pixels;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const auto i = static_cast<std::size_t>(y / tile * across + x / tile);
+        pixels.push_back(static_cast<float>((*tiles)[i]));
+      }
+    }
+    const float most = std::max(1.0F, *std::max_element(pixels.begin(), pixels.end()));
+    for (const char* kind : {".png", ".exr"}) {
+      write_heat(prefix + name + kind, pixels, width, height, most);
+    }
+    scales += fmt::format("{}{}: from 0 to {:.0f}\n", prefix, name, most);
+  }
+  return scales;
+}
 
 Json cycles_json(const CyclesReport& report) {
   Json counters = Json::object();
@@ -183,6 +273,7 @@ Json cycles_json(const CyclesReport& report) {
             {"max_error", report.pixels.max_error},
             {"mismatched", report.pixels.mismatched},
             {"tolerance", report.pixels.tolerance}}},
+          {"energy_picojoules", energy_json(report)},
           {"timing", {{"value_seconds", report.value_seconds}, {"seconds", report.seconds}}}};
 }
 
@@ -233,6 +324,13 @@ std::string cycles_text(const CyclesReport& report) {
     memory.add_row({statistic.name, grouped(statistic.value), statistic.description});
   }
   text += '\n' + memory.text() + '\n';
+  if (report.energy) {
+    text += fmt::format(
+        "energy: {:.2f} uJ a frame: datapath {:.2f}, caches {:.2f}, DRAM bytes {:.2f}, activates "
+        "{:.2f}\n",
+        report.energy->total() / 1e6, report.energy->datapath / 1e6, report.energy->cache / 1e6,
+        report.energy->dram_bytes / 1e6, report.energy->dram_activates / 1e6);
+  }
   return text + fmt::format("pixels: {} compared; max error {:.2g}, {} mismatched\n",
                             grouped(report.pixels.compared), report.pixels.max_error,
                             grouped(report.pixels.mismatched));

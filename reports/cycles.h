@@ -1,9 +1,13 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "model/block/block.h"
 #include "model/count/pixel_check.h"
+#include "model/memory/energy.h"
 #include "reports/json.h"
 
 namespace wedgesim::reports {
@@ -16,17 +20,28 @@ struct CyclesReport {
   std::shared_ptr<const model::units::FrameWalk> frame;
   model::BlockResult result;
   model::PixelCheck pixels;
-  std::uint64_t datapath_bytes = 0;  // counted words at their widths: what no cache saves
-  double value_seconds = 0.0;        // to compute the values
-  double seconds = 0.0;              // to run the units over them
+  std::uint64_t datapath_bytes = 0;   // counted words at their widths: what no cache saves
+  double peak_bytes_per_cycle = 0.0;  // at the port, over PortProfile::kWindowCycles
+  std::vector<std::uint64_t> tile_bytes, tile_cycles;  // (tiles down, tiles across)
+  std::optional<model::memory::Energy> energy;
+  double value_seconds = 0.0;  // to compute the values
+  double seconds = 0.0;        // to run the units over them
 
   const model::Counters& counters() const { return frame->datapath().counters(); }
 };
 
 /// Runs a frame of a trace through a block and compares its LI words with the expected LI.
 /// \param trace  sound
+/// \param energy  what accesses cost; null: unknown
 CyclesReport run_cycles(const traces::TraceView& trace, const model::BlockConfig& config,
-                        const model::BlockOptions& options);
+                        const model::BlockOptions& options,
+                        const model::memory::EnergyTable* energy = nullptr);
+
+/// Writes PREFIX_tile_bytes and PREFIX_tile_cycles as .png and .exr, each tile as large as its
+/// pixels: bytes at the port, and cycles that culling and the penumbra datapath take.
+/// \return what the brightest colours stand for, as text
+/// \throws InputError if a file cannot be written
+std::string write_tile_maps(const std::string& prefix, const CyclesReport& report);
 
 /// Every pixel is within its tolerance.
 bool held(const CyclesReport& report);
