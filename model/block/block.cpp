@@ -4,6 +4,7 @@
 #include <tlm_utils/simple_target_socket.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "base/check.h"
@@ -64,10 +65,10 @@ std::vector<Statistic> statistics_of(const Group& group) {
 class Block {
  public:
   Block(const RecordedFrame& frame, const BlockConfig& config, const BlockOptions& options)
-      : model_(make_memory(config)),
+      : watchdog_cycles_(options.watchdog_cycles),
+        model_(options.target ? nullptr : make_memory(config)),
         layout_(frame.layout),
         port_("memory_port"),
-        target_("memory", *model_),
         fetched_("wedge_fetch to wedge_setup", config.wedge_fetch.out),
         prepared_("wedge_setup to tile_walk", config.wedge_setup.out),
         walked_("tile_walk to tile_cull", config.tile_walk.out),
@@ -88,14 +89,27 @@ class Block {
         penumbra_("penumbra", options.timing, config.penumbra, read_, lit_),
         li_update_("li_update", options.timing, config.li_update,
                    frame.rasterizer.mode == Mode::three_pass, port_, layout_, lit_) {
-    port_.socket.bind(target_.socket);
+    if (options.target) {
+      target_ = options.target(port_);
+    } else {
+      auto target = std::make_unique<MemoryTarget>("memory", *model_);
+      port_.socket.bind(target->socket);
+      target_ = std::move(target);
+    }
     if (options.listener) port_.listen(options.listener);
     li_update_.on_drained([this](Cycle cycle) { wedge_fetch_.drained(cycle); });
   }
 
   void run() {
-    sc_core::sc_start();
-    if (!li_update_.finished()) throw std::runtime_error(blocked());
+    const sc_core::sc_time slice = units::cycles_to_time(watchdog_cycles_);
+    std::uint64_t before = 0;
+    for (;;) {
+      sc_core::sc_start(slice, sc_core::SC_EXIT_ON_STARVATION);
+      if (li_update_.finished()) return;
+      const std::uint64_t moved = progress();
+      if (moved == before || !sc_core::sc_pending_activity()) throw std::runtime_error(blocked());
+      before = moved;
+    }
   }
 
   BlockResult result() const {
@@ -121,8 +135,10 @@ class Block {
       result.traffic.push_back({std::string(memory::name_of(surface)), traffic.reads,
                                 traffic.writes, traffic.read_bytes, traffic.write_bytes});
     }
-    result.memory = statistics_of(model_->statistics());
-    result.peak_bytes_per_cycle = model_->peak_bytes_per_cycle();
+    if (model_) {
+      result.memory = statistics_of(model_->statistics());
+      result.peak_bytes_per_cycle = model_->peak_bytes_per_cycle();
+    }
     return result;
   }
 
@@ -138,24 +154,46 @@ class Block {
     return {&wedge_fetch_, &wedge_setup_, &tile_walk_, &tile_cull_,
             &z_read_,      &penumbra_,    &li_update_};
   }
+  std::array<const Link<Token>*, 6> links() const {
+    return {&fetched_, &prepared_, &walked_, &surviving_, &read_, &lit_};
+  }
+  // Grows as long as anything moves. A unit that has run ahead of the kernel will move.
+  std::uint64_t progress() const {
+    std::uint64_t sum = port_.accesses();
+    for (const Link<Token>* link : links()) sum += 2 * link->pushed() - link->size();
+    for (const units::BlockUnit* unit : units()) {
+      sum += unit->time().busy();
+      if (unit->time().now() > units::kernel_cycle()) sum += units::kernel_cycle();
+    }
+    return sum;
+  }
   std::string blocked() const {
-    std::string text = fmt::format("the block stopped at cycle {}:", units::kernel_cycle());
-    for (const Link<Token>* link : {&fetched_, &prepared_, &walked_, &surviving_, &read_, &lit_}) {
-      if (link->size() > 0) {
-        text += fmt::format(" {} holds {} of {};", link->name(), link->size(), link->depth());
-      }
+    Cycle cycle = units::kernel_cycle();
+    for (const units::BlockUnit* unit : units()) cycle = std::max(cycle, unit->time().now());
+    std::string text = fmt::format("the block is blocked at cycle {}", cycle);
+    for (const auto& access : port_.waiting()) {
+      text += fmt::format("; memory has not answered {} at {:#x} since cycle {}",
+                          memory::name_of(access.surface), access.address, access.since);
+    }
+    for (const Link<Token>* link : links()) {
+      if (link->size() == 0) continue;
+      const std::string_view consumer =
+          std::string_view(link->name()).substr(link->name().rfind(' ') + 1);
+      text += fmt::format("; queue {} holds {} of {}, held by {}", link->name(), link->size(),
+                          link->depth(), consumer);
     }
     for (const units::BlockUnit* unit : units()) {
-      if (!unit->finished()) text += fmt::format(" {} waits;", unit->basename());
+      if (!unit->finished()) text += fmt::format("; {} waits", unit->basename());
     }
     return text;
   }
 
+  const Cycle watchdog_cycles_;
   std::size_t next_ = 0;
   std::unique_ptr<memory::MemoryModel> model_;
   memory::Layout layout_;
   units::MemoryPort port_;
-  MemoryTarget target_;
+  std::unique_ptr<sc_core::sc_module> target_;
   Link<Token> fetched_, prepared_, walked_, surviving_, read_, lit_;
   units::WedgeFetch wedge_fetch_;
   units::WedgeSetup wedge_setup_;

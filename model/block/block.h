@@ -13,6 +13,7 @@
 #include "model/count/counters.h"
 #include "model/memory/memory_record.h"
 #include "model/units/frame_walk.h"
+#include "model/units/memory_port.h"
 #include "model/units/unit_time.h"
 #include "traces/trace.h"
 
@@ -75,11 +76,18 @@ struct BlockResult {
 struct BlockOptions {
   units::Timing timing = units::Timing::decoupled;
   std::function<void(const memory::MemoryRecord&)> listener;  // of every access at the port
+  /// Makes a TLM-2.0 target of the user's own, instead of config.memory, and binds the port's
+  /// socket to it; called while SystemC elaborates. docs/block.md has an example.
+  std::function<std::unique_ptr<sc_core::sc_module>(units::MemoryPort& port)> target;
+  /// How long nothing may move before the block is given up; at least 1.
+  memory::Cycle watchdog_cycles = memory::Cycle{1} << 22;
 };
 
 /// Runs a recorded frame through the units of a configuration.
 /// \param config  with the rasterizer and formats that the frame was recorded with
-/// \throws std::runtime_error if the units block each other, naming the queues
+/// \throws std::runtime_error if units or memory block each other: names the queues, who holds
+/// them,
+///         accesses without an answer, and the cycle
 BlockResult run_block(const RecordedFrame& frame, const BlockConfig& config,
                       const BlockOptions& options = {});
 

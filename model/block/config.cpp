@@ -79,10 +79,16 @@ void read_section(const TomlTable& root, std::string_view section, bool complete
 void check_cache(const TomlTable& root, std::string_view section, std::string_view prefix,
                  const memory::CacheConfig& cache) {
   if (cache.size_bytes == 0 || cache.size_bytes >= 64 * cache.ways) return;
+  const std::string place = root.place(section);
+  if (cache.size_bytes < 64) {
+    throw InputError(fmt::format("{}: {}.{}bytes", place, section, prefix),
+                     fmt::format("{} bytes are less than a line", cache.size_bytes),
+                     "0 for no cache, or a power of two from 64 to 67108864");
+  }
   throw InputError(
-      fmt::format("{}: {}.{}ways", root.place(section), section, prefix),
+      fmt::format("{}: {}.{}ways", place, section, prefix),
       fmt::format("{} ways of 64 bytes in a cache of {} bytes", cache.ways, cache.size_bytes),
-      "at least a line for each way, or a cache of 0 bytes");
+      fmt::format("1 to {}", cache.size_bytes / 64));
 }
 
 BlockConfig preset(std::string_view name, std::string_view place) {

@@ -36,6 +36,7 @@ Cache::Access Cache::miss(Line* set, std::uint64_t line, bool write) {
   if (victim->dirty) {
     write_backs_ += 1;
     result.write_back = victim->line << line_shift_;
+    result.write_back_ready = victim->ready;
   }
   *victim = {line, time_, 0, write};
   result.fill = true;

@@ -26,6 +26,7 @@ class Cache {
     bool fill = false;                        // the line must be fetched
     std::optional<std::uint64_t> write_back;  // address of a line whose bytes must go to memory
     std::size_t slot = kNoSlot;               // where the line is now, until its next eviction
+    Cycle write_back_ready = 0;               // when the bytes of write_back were there
   };
   static constexpr std::size_t kNoSlot = ~std::size_t{0};
 

@@ -18,7 +18,7 @@ LiUpdate::LiUpdate(sc_core::sc_module_name name, Timing timing, const LiUpdateCo
       li_(config.cache, "li_update"),
       stencil_(config.stencil_cache, "li_update.stencil"),
       outstanding_(config.outstanding),
-      updates_(static_cast<std::size_t>(config.update_cycles)) {}
+      update_cycles_(static_cast<Cycle>(config.update_cycles)) {}
 
 void LiUpdate::process() {
   if (config_.clear == Clear::write) {
@@ -35,7 +35,7 @@ void LiUpdate::process() {
         merge(*token.primitive);
         break;
       case Token::Kind::barrier:
-        time_.work(static_cast<Cycle>(config_.update_cycles));
+        drain();
         drained_(time_.now());
         break;
       case Token::Kind::end:
@@ -74,19 +74,18 @@ void LiUpdate::update(Surface surface, const BlockWork& block, std::uint64_t pix
   const auto key = static_cast<std::uint32_t>(block.by) << 16 | block.bx;
   wait_for_hazard(surface, key, pixels);
   const AccessTag tag{surface, Cause::fill, token.wedge(), static_cast<std::int64_t>(tile)};
+  Cycle done = 0;
   for (const std::uint64_t line : layout_.lines(surface, block.bx, block.by, pixels)) {
     time_.work(1);
-    access(tag, line, true);
+    done = std::max(done, access(tag, line, true));
     lines_ += 1;
   }
-  updates_[next_update_] = {surface, key, pixels,
-                            time_.now() + static_cast<Cycle>(config_.update_cycles)};
-  next_update_ = (next_update_ + 1) % updates_.size();
+  updates_.push_back({surface, key, pixels, done});
 }
 
-// An update takes at least a cycle, so no older one than these can be under way.
 void LiUpdate::wait_for_hazard(Surface surface, std::uint32_t block, std::uint64_t pixels) {
   const Cycle before = time_.now();
+  std::erase_if(updates_, [before](const Update& update) { return update.done <= before; });
   for (const Update& update : updates_) {
     if (update.surface == surface && update.block == block && (update.pixels & pixels) != 0) {
       time_.stall_until(update.done);
@@ -95,22 +94,36 @@ void LiUpdate::wait_for_hazard(Surface surface, std::uint32_t block, std::uint64
   hazards_ += time_.now() - before;
 }
 
-void LiUpdate::access(const AccessTag& tag, std::uint64_t line, bool write) {
+void LiUpdate::drain() {
+  outstanding_.wait_for_all(time_);
+  time_.work(update_cycles_);
+}
+
+Cycle LiUpdate::access(const AccessTag& tag, std::uint64_t line, bool write) {
   memory::Cache& cache = tag.surface == Surface::li ? li_ : stencil_;
   const memory::Cache::Access access = cache.access(line, write);
-  if (access.write_back) {
-    const bool through = access.slot == memory::Cache::kNoSlot;
-    send(tag, through ? Cause::write_through : Cause::write_back, *access.write_back);
-  }
   if (access.hit) {
     time_.wait_for_memory_until(cache.ready(access.slot));
-    return;
+    return time_.now() + update_cycles_;
   }
-  // Without a cache the word is read and written in memory.
+  const bool cached = access.slot != memory::Cache::kNoSlot;
+  if (cached && access.write_back) {
+    time_.wait_for_memory_until(access.write_back_ready);
+    send(tag, Cause::write_back, *access.write_back);
+  }
   outstanding_.wait_for_one(time_);
   const Cycle done = port_.access(time_, tag, line, memory::kLineBytes, false);
   outstanding_.add(done);
-  if (access.slot != memory::Cache::kNoSlot) cache.set_ready(access.slot, done);
+  if (cached) {
+    cache.set_ready(access.slot, done);
+    return done + update_cycles_;
+  }
+  // Without a cache nothing else would know that the line is on its way.
+  time_.wait_for_memory_until(done);
+  if (!write) return done;
+  time_.stall_until(time_.now() + update_cycles_);
+  send(tag, Cause::write_through, line);
+  return time_.now();
 }
 
 void LiUpdate::send(AccessTag tag, Cause cause, std::uint64_t line) {
@@ -135,6 +148,7 @@ void LiUpdate::merge(const PrimitiveWork& primitive) {
 }
 
 void LiUpdate::flush() {
+  drain();
   const auto write = [this](Surface surface) {
     return [this, surface](std::uint64_t line) {
       time_.work(1);

@@ -21,10 +21,10 @@ struct LiUpdateConfig {
 /// Reads, modifies and writes the words of LI, and of the stencil in three-pass; merges the stencil
 /// into LI between the passes. Values by model/units/tile_work.h.
 ///
-/// Rate    one line a cycle.
-/// Stall   while `outstanding` fills are under way, while a line is on its way in, and while a
-/// pixel
-///         is being updated for an earlier wedge (update_cycles): never reads a stale word.
+/// Rate    one line a cycle; without a cache a line is read, changed and written before the next.
+/// Stall   while `outstanding` fills are under way, while a line that is asked for again or put out
+///         is still on its way in, and while a pixel is being updated for an earlier wedge
+///         (update_cycles): never reads a stale word.
 /// Source  Paper II, section 3.
 class LiUpdate final : public BlockUnit {
  public:
@@ -54,7 +54,10 @@ class LiUpdate final : public BlockUnit {
   void update(memory::Surface surface, const BlockWork& block, std::uint64_t pixels,
               const Token& token, std::uint32_t tile);
   void wait_for_hazard(memory::Surface surface, std::uint32_t block, std::uint64_t pixels);
-  void access(const AccessTag& tag, std::uint64_t line, bool write);
+  /// \return the cycle from which the line's words are written
+  Cycle access(const AccessTag& tag, std::uint64_t line, bool write);
+  /// Until nothing is under way.
+  void drain();
   void send(AccessTag tag, memory::Cause cause, std::uint64_t line);
 
   const LiUpdateConfig config_;
@@ -64,8 +67,8 @@ class LiUpdate final : public BlockUnit {
   Link<Token>& in_;
   memory::Cache li_, stencil_;
   OutstandingReads outstanding_;
-  std::vector<Update> updates_;  // a ring of the last update_cycles
-  std::size_t next_update_ = 0;
+  const Cycle update_cycles_;
+  std::vector<Update> updates_;  // under way: few, since a line on its way in is waited for
   std::function<void(Cycle)> drained_;
   Counter lines_{statistics_, "lines", Unit::accesses, "Lines of LI and stencil updated"};
   Counter hazards_{statistics_, "hazard_cycles", Unit::cycles,

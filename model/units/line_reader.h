@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -15,7 +16,10 @@ class OutstandingReads {
 
   /// Waits, stalled, until another read may leave.
   void wait_for_one(UnitTime& time) const { time.wait_for_memory_until(done_[next_]); }
+  /// Waits, stalled, until all are back.
+  void wait_for_all(UnitTime& time) const { time.wait_for_memory_until(last_); }
   void add(Cycle done) {
+    last_ = std::max(last_, done);
     done_[next_] = done;
     next_ = (next_ + 1) % done_.size();
   }
@@ -23,6 +27,7 @@ class OutstandingReads {
  private:
   std::vector<Cycle> done_;
   std::size_t next_ = 0;
+  Cycle last_ = 0;
 };
 
 /// Reads lines through a cache; misses overlap.

@@ -1,6 +1,7 @@
 #include "model/units/memory_port.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "base/check.h"
 
@@ -9,22 +10,7 @@ namespace wedgesim::model::units {
 Cycle MemoryPort::access(UnitTime& time, const AccessTag& tag, std::uint64_t address,
                          unsigned bytes, bool write) {
   time.sync();
-  if (data_.size() < bytes) data_.resize(bytes);
-  payload_.set_command(write ? tlm::TLM_WRITE_COMMAND : tlm::TLM_READ_COMMAND);
-  payload_.set_address(address);
-  payload_.set_data_ptr(data_.data());
-  payload_.set_data_length(bytes);
-  payload_.set_streaming_width(bytes);
-  payload_.set_byte_enable_ptr(nullptr);
-  payload_.set_dmi_allowed(false);
-  payload_.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
-  // The kernel may be behind: the target hears by how much.
-  const Cycle kernel = kernel_cycle();
-  sc_core::sc_time delay = cycles_to_time(time.now() > kernel ? time.now() - kernel : 0);
-  socket->b_transport(payload_, delay);
-  CHECK_EQ(payload_.is_response_ok(), true);
-  const Cycle done = kernel_cycle() + time_to_cycles(delay);
-  last_done_ = std::max(last_done_, done);
+  CHECK_GE(time.now(), kernel_cycle());
   Traffic& traffic = traffic_[static_cast<std::size_t>(tag.surface)];
   (write ? traffic.writes : traffic.reads) += 1;
   (write ? traffic.write_bytes : traffic.read_bytes) += bytes;
@@ -40,7 +26,52 @@ Cycle MemoryPort::access(UnitTime& time, const AccessTag& tag, std::uint64_t add
     record.cause = tag.cause;
     listener_(record);
   }
+  Request& request = idle_request();
+  request.waiting = {tag.surface, address, time.now()};
+  if (request.data.size() < bytes) request.data.resize(bytes);
+  tlm::tlm_generic_payload& payload = request.payload;
+  payload.set_command(write ? tlm::TLM_WRITE_COMMAND : tlm::TLM_READ_COMMAND);
+  payload.set_address(address);
+  payload.set_data_ptr(request.data.data());
+  payload.set_data_length(bytes);
+  payload.set_streaming_width(bytes);
+  payload.set_byte_enable_ptr(nullptr);
+  payload.set_dmi_allowed(false);
+  payload.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
+  // The kernel may be behind: the target hears by how much.
+  sc_core::sc_time delay = cycles_to_time(time.now() - kernel_cycle());
+  request.under_way = true;
+  socket->b_transport(payload, delay);
+  request.under_way = false;
+  if (!payload.is_response_ok()) {
+    throw std::runtime_error("memory answers " + payload.get_response_string());
+  }
+  time.catch_up();
+  const Cycle done = kernel_cycle() + time_to_cycles(delay);
+  last_done_ = std::max(last_done_, done);
   return done;
+}
+
+// More than one is needed only while a target waits.
+MemoryPort::Request& MemoryPort::idle_request() {
+  for (Request& request : requests_) {
+    if (!request.under_way) return request;
+  }
+  return requests_.emplace_back();
+}
+
+std::uint64_t MemoryPort::accesses() const {
+  std::uint64_t sum = 0;
+  for (const Traffic& traffic : traffic_) sum += traffic.reads + traffic.writes;
+  return sum;
+}
+
+std::vector<MemoryPort::Waiting> MemoryPort::waiting() const {
+  std::vector<Waiting> waiting;
+  for (const Request& request : requests_) {
+    if (request.under_way) waiting.push_back(request.waiting);
+  }
+  return waiting;
 }
 
 }  // namespace wedgesim::model::units

@@ -3,6 +3,7 @@
 #include <tlm_utils/simple_initiator_socket.h>
 
 #include <array>
+#include <deque>
 #include <functional>
 #include <systemc>
 #include <tlm>
@@ -24,7 +25,8 @@ struct AccessTag {
 
 /// The block's one port to memory: a TLM-2.0 initiator. Requests of all units leave in the order of
 /// their cycles, those of one cycle in the order in which the kernel runs the units. Whoever is
-/// behind the socket gets, and answers with, a delay (loosely timed, b_transport).
+/// behind the socket gets, and answers with, a delay (loosely timed, b_transport). A target that
+/// waits instead holds the unit that asked: its requests do not overlap then.
 class MemoryPort final : public sc_core::sc_module {
  public:
   explicit MemoryPort(sc_core::sc_module_name name) : sc_module(name), socket("socket") {}
@@ -32,6 +34,7 @@ class MemoryPort final : public sc_core::sc_module {
   tlm_utils::simple_initiator_socket<MemoryPort> socket;
 
   /// \return  the cycle from which the bytes are there, or taken
+  /// \throws std::runtime_error if the target answers with an error
   Cycle access(UnitTime& time, const AccessTag& tag, std::uint64_t address, unsigned bytes,
                bool write);
 
@@ -48,11 +51,29 @@ class MemoryPort final : public sc_core::sc_module {
   }
   /// The last cycle in which an access was done.
   Cycle last_done() const { return last_done_; }
+  /// Accesses that have left.
+  std::uint64_t accesses() const;
+
+  /// An access that the target has not answered yet.
+  struct Waiting {
+    memory::Surface surface;
+    std::uint64_t address;
+    Cycle since;
+  };
+  std::vector<Waiting> waiting() const;
 
  private:
+  /// One for each unit that is inside the target at a time.
+  struct Request {
+    tlm::tlm_generic_payload payload;
+    std::vector<unsigned char> data;  // no bytes are kept: the block's values are its own
+    Waiting waiting{};
+    bool under_way = false;
+  };
+  Request& idle_request();
+
   std::array<Traffic, memory::kSurfaces> traffic_;
-  std::vector<unsigned char> data_;  // no bytes are kept: the block's values are its own
-  tlm::tlm_generic_payload payload_;
+  std::deque<Request> requests_;
   std::function<void(const memory::MemoryRecord&)> listener_;
   Cycle last_done_ = 0;
 };

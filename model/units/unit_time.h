@@ -24,8 +24,9 @@ inline constexpr Cycle kResolutionsPerCycle = 1000;
 inline sc_core::sc_time cycles_to_time(Cycle cycles) {
   return sc_core::sc_time::from_value(kResolutionsPerCycle * cycles);
 }
+/// Rounded up: what is done within a cycle is there at its end.
 inline Cycle time_to_cycles(const sc_core::sc_time& time) {
-  return time.value() / kResolutionsPerCycle;
+  return (time.value() + kResolutionsPerCycle - 1) / kResolutionsPerCycle;
 }
 inline Cycle kernel_cycle() { return time_to_cycles(sc_core::sc_time_stamp()); }
 
@@ -46,6 +47,14 @@ class UnitTime {
   void wait_for_memory_until(Cycle cycle) {
     if (cycle > now_) memory_ += cycle - now_;
     stall_until(cycle);
+  }
+  /// What the unit called has let the kernel go on: comes up to it, stalled by memory.
+  void catch_up() {
+    const Cycle kernel = kernel_cycle();
+    if (kernel <= now_) return;
+    stalled_ += kernel - now_;
+    memory_ += kernel - now_;
+    now_ = kernel;
   }
   /// Lets everything that happens before this unit's time happen first. The kernel may stay behind
   /// if nothing else is due until then.

@@ -1,5 +1,7 @@
 #include "model/units/wedge_fetch.h"
 
+#include <algorithm>
+
 namespace wedgesim::model::units {
 
 WedgeFetch::WedgeFetch(sc_core::sc_module_name name, Timing timing, const WedgeFetchConfig& config,
@@ -32,22 +34,30 @@ void WedgeFetch::process() {
 }
 
 Cycle WedgeFetch::fetch(const PrimitiveWork& primitive) {
+  if (primitive.record_bytes == 0) {
+    time_.work(1);
+    return 0;
+  }
   Cycle ready = 0;
-  if (primitive.record_bytes == 0) time_.work(1);
+  bool fetched = false;
   const std::uint64_t begin = layout_.wedge_address(primitive.record_offset);
   const std::uint64_t end = begin + primitive.record_bytes;
   const AccessTag tag{memory::Surface::wedges, memory::Cause::fetch,
                       primitive.wedge ? static_cast<std::int64_t>(*primitive.wedge) : -1, -1};
   for (std::uint64_t line = begin & ~std::uint64_t{memory::kLineBytes - 1}; line < end;
        line += memory::kLineBytes) {
-    if (line == last_line_) continue;  // it came with the record before
-    last_line_ = line;
-    time_.work(1);
-    outstanding_.wait_for_one(time_);
-    ready = port_.access(time_, tag, line, memory::kLineBytes, false);
-    outstanding_.add(ready);
-    lines_ += 1;
+    if (line != last_line_) {  // else it came with the record before
+      last_line_ = line;
+      time_.work(1);
+      outstanding_.wait_for_one(time_);
+      last_ready_ = port_.access(time_, tag, line, memory::kLineBytes, false);
+      outstanding_.add(last_ready_);
+      lines_ += 1;
+      fetched = true;
+    }
+    ready = std::max(ready, last_ready_);  // a memory may answer out of order
   }
+  if (!fetched) time_.work(1);
   return ready;
 }
 

@@ -15,7 +15,7 @@ struct WedgeFetchConfig {
 /// Fetches the records of wedges, in order, each line once; a polygon without a record takes one
 /// cycle. Before a pass that needs an empty block it waits until the LI update has drained.
 ///
-/// Rate    one line a cycle.
+/// Rate    one line a cycle; a record that ends in the line before takes one cycle, too.
 /// Stall   while `out` is full or `outstanding` lines are under way.
 /// Source  Paper II, section 3.
 class WedgeFetch final : public BlockUnit {
@@ -39,6 +39,7 @@ class WedgeFetch final : public BlockUnit {
   Link<Token>& out_;
   OutstandingReads outstanding_;
   std::uint64_t last_line_ = ~std::uint64_t{0};
+  Cycle last_ready_ = 0;
   bool is_drained_ = false;
   Cycle drained_at_ = 0;
   sc_core::sc_event drained_event_;
