@@ -1,11 +1,27 @@
 #include "base/image.h"
 
-#include <OpenImageIO/imageio.h>
+#include <dlfcn.h>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/image_codec.h"
 
 namespace wedgesim {
+namespace {
+
+const ImageCodec& codec() {
+  static const ImageCodec& loaded = []() -> const ImageCodec& {
+    void* module = dlopen(WEDGESIM_IMAGE_CODEC, RTLD_NOW | RTLD_LOCAL);
+    const void* symbol = module ? dlsym(module, "wedgesim_image_codec") : nullptr;
+    if (!symbol) {
+      throw InputError(WEDGESIM_IMAGE_CODEC, dlerror(), "the module that was built with it");
+    }
+    return *static_cast<const ImageCodec*>(symbol);
+  }();
+  return loaded;
+}
+
+}  // namespace
 
 void write_image(const std::filesystem::path& path, const Image& image,
                  const std::vector<std::string>& channel_names) {
@@ -14,29 +30,19 @@ void write_image(const std::filesystem::path& path, const Image& image,
     throw InputError(path.string(), "the image format is unknown", "a name ending in .png or .exr");
   }
   write_atomically(path, [&](const std::filesystem::path& temporary) {
-    OIIO::ImageSpec spec(image.width, image.height, image.channels,
-                         extension == ".png" ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
-    if (!channel_names.empty()) spec.channelnames = channel_names;
-    spec.attribute("oiio:ColorSpace", extension == ".png" ? "sRGB" : "Linear");
-    spec.attribute("DateTime", "2000:01:01 00:00:00");  // the same bytes at every run
-    const auto out = OIIO::ImageOutput::create(temporary.string());
-    if (!out || !out->open(temporary.string(), spec) ||
-        !out->write_image(OIIO::TypeDesc::FLOAT, image.values.data()) || !out->close()) {
-      // OpenImageIO's own words name the temporary file; unread they would be printed at the end.
-      static_cast<void>(out ? out->geterror() : OIIO::geterror());
+    const std::string problem =
+        codec().write(temporary.string(), image, channel_names, extension == ".png");
+    // The codec's own words name the temporary file.
+    if (!problem.empty()) {
       throw InputError(path.string(), "cannot be written", "a writable folder with room");
     }
   });
 }
 
 Image read_image(const std::filesystem::path& path) {
-  const auto in = OIIO::ImageInput::open(path.string());
-  if (!in) throw InputError(path.string(), OIIO::geterror(), "a readable image");
-  const OIIO::ImageSpec& spec = in->spec();
-  Image image(spec.width, spec.height, spec.nchannels);
-  if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data())) {
-    throw InputError(path.string(), in->geterror(), "a readable image");
-  }
+  Image image;
+  const std::string problem = codec().read(path.string(), image);
+  if (!problem.empty()) throw InputError(path.string(), problem, "a readable image");
   return image;
 }
 

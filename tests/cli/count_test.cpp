@@ -156,6 +156,49 @@ TEST_F(Count, IntegersOf255AreOffered) {
   EXPECT_GT(result["configs"][0]["pixels"]["max_error"], 1e-6);
 }
 
+TEST_F(Count, FixedDatapathHoldsThePixelBars) {
+  const Json result = json({"--datapath", "fixed"});
+  EXPECT_EQ(result["configuration"]["formats"]["significand_bits"], 18);
+  for (const Json& config : result["configs"]) {
+    EXPECT_EQ(config["datapath"], "fixed");
+    EXPECT_EQ(config["pixels"]["mismatched"], 0);
+    EXPECT_GT(config["pixels"]["max_error"], 1e-6);
+    EXPECT_LE(config["pixels"]["rms_error"], 0.25 / 255);
+    EXPECT_TRUE(config["first_overflow"].is_null());
+  }
+}
+
+TEST_F(Count, FormatsChangeTheWidths) {
+  const std::filesystem::path file = folder / "formats.toml";
+  const auto rms = [&](const std::string& text) {
+    write_text(file, text);
+    const Json result = json({"--datapath", "fixed", "--formats", file.string()});
+    return result["configs"][0]["pixels"]["rms_error"].get<double>();
+  };
+  EXPECT_LT(rms("li_fraction_bits = 20\n"), 0.2 * rms("# the default\n"));
+  // Too few bits are a failed check, not bad input.
+  write_text(file, "form_bits = 24\n");
+  EXPECT_EQ(count({"--datapath", "fixed", "--formats", file.string()}).code, 1);
+}
+
+TEST_F(Count, BadFormatsAreRefused) {
+  const std::filesystem::path file = folder / "formats.toml";
+  const auto fixed = [&] { return count({"--datapath", "fixed", "--formats", file.string()}); };
+  expect_bad_input(fixed(), {"formats.toml", "No such file"});
+  write_text(file, "li_bits = 16\n");
+  expect_bad_input(fixed(), {"formats.toml", "li_bits"});
+  write_text(file, "\nform_bits = 63\n");
+  expect_bad_input(fixed(), {"formats.toml", "form_bits", "62"});
+  write_text(file, "form_bits = 23\n");
+  expect_bad_input(fixed(), {"formats.toml", "form_bits", "24"});
+  write_text(file, "form_bits = 'many'\n");
+  expect_bad_input(fixed(), {"formats.toml", "form_bits"});
+  write_text(file, "form_bits = \n");
+  expect_bad_input(fixed(), {"formats.toml"});
+  write_text(file, "form_bits = 50\n");
+  expect_bad_input(count({"--formats", file.string()}), {"--formats", "--datapath fixed"});
+}
+
 TEST_F(Count, MapsShowWhereTheAccessesAre) {
   const std::string prefix = (folder / "maps/p").string();
   const Json result = json({"--maps", prefix, "--mode", "three-pass"});

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "tests/model/count/naive_counter.h"
 #include "tests/model/count/synthetic.h"
+#include "tests/support/repetitions.h"
 #include "traces/depth.h"
 #include "traces/verify.h"
 
@@ -203,7 +204,7 @@ void expect_naive(const traces::Trace& trace, std::vector<CountConfig> configs, 
 }
 
 TEST(Count, EqualsTheNaiveCounterOnNonsense) {
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= repetitions(12); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const traces::Trace trace = test::random_nonsense(random, 13 + seed, 21 - seed, 3);
@@ -213,7 +214,7 @@ TEST(Count, EqualsTheNaiveCounterOnNonsense) {
 }
 
 TEST(Count, EqualsTheNaiveCounterOnTetrahedra) {
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= repetitions(12); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const traces::Trace trace = test::random_tetrahedra(random, 19, 17, 3);
@@ -231,7 +232,7 @@ TEST(Count, EqualsTheNaiveCounterOnATallFrame) {
 }
 
 TEST(Count, CullingSharingModeAndTileKeepEveryWord) {
-  for (unsigned seed = 1; seed <= 10; ++seed) {
+  for (unsigned seed = 1; seed <= repetitions(10); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const traces::Trace trace = test::random_tetrahedra(random, 75, 50, 30);
@@ -253,7 +254,7 @@ TEST(Count, ThreadsAndKernelsChangeNothing) {
                                          {Mode::three_pass, 2, Cull::zmax},
                                          {Mode::single_pass, 32, Cull::sat, UmbraCull::none},
                                          {.accept = Accept::zmin, .share = Share::all}};
-  for (unsigned seed = 1; seed <= 20; ++seed) {
+  for (unsigned seed = 1; seed <= repetitions(20); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const traces::Trace trace = seed % 2 == 0 ? test::random_tetrahedra(random, 75, 50, 30)
@@ -293,7 +294,7 @@ TEST(Count, AWrongTileTestShowsInTheWords) {
 }
 
 TEST(Count, PassAndFailAgreeOnClosedUmbraVolumes) {
-  for (unsigned seed = 1; seed <= 20; ++seed) {
+  for (unsigned seed = 1; seed <= repetitions(20); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const traces::Trace trace = test::random_tetrahedra(random, 60, 50, 0);

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "model/count/count.h"
 #include "tests/model/count/synthetic.h"
+#include "tests/support/repetitions.h"
 
 namespace wedgesim::model {
 namespace {
@@ -27,7 +28,7 @@ void expect_explained(const traces::Trace& trace, const CountConfig& config) {
 }
 
 TEST(Explain, AddsUpToWhatIsCounted) {
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= repetitions(12); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const traces::Trace trace = seed % 2 == 0 ? test::random_tetrahedra(random, 23, 17, 6)

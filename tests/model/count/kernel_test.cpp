@@ -10,6 +10,7 @@
 
 #include "model/count/footprint.h"
 #include "tests/model/count/synthetic.h"
+#include "tests/support/repetitions.h"
 
 namespace wedgesim::model {
 namespace {
@@ -48,7 +49,7 @@ TEST(Kernel, ThereIsMoreThanOneInstructionSet) { EXPECT_GE(simd_kernels().size()
 
 TEST(Kernel, EveryInstructionSetFindsTheSamePixelsInside) {
   std::size_t found = 0;
-  for (unsigned seed = 1; seed <= 40; ++seed) {
+  for (unsigned seed = 1; seed <= repetitions(40); ++seed) {
     std::mt19937 random(seed);
     const traces::Trace trace = test::random_tetrahedra(random, 56, 56, 4);
     Pixels pixels = random_pixels(random, 49);
@@ -78,7 +79,7 @@ TEST(Kernel, EveryInstructionSetFindsTheSamePixelsInside) {
 // Block by block from the value at a corner, against one pixel at a time.
 TEST(Kernel, TheFixedOneFindsWhatThePlainLoopFinds) {
   std::size_t found = 0;
-  for (unsigned seed = 1; seed <= 40; ++seed) {
+  for (unsigned seed = 1; seed <= repetitions(40); ++seed) {
     std::mt19937 random(seed);
     const traces::Trace trace = test::random_tetrahedra(random, 56, 56, 4);
     const traces::TraceView view = trace.view();
@@ -110,7 +111,7 @@ TEST(Kernel, TheFixedOneFindsWhatThePlainLoopFinds) {
 }
 
 TEST(Kernel, EveryInstructionSetDecidesUmbraAlike) {
-  for (unsigned seed = 1; seed <= 40; ++seed) {
+  for (unsigned seed = 1; seed <= repetitions(40); ++seed) {
     std::mt19937 random(seed);
     const Pixels pixels = random_pixels(random, 49);
     const Plane plane{0.01, -0.02, 0.6, -0.2, (seed & 1) != 0};
@@ -133,7 +134,7 @@ TEST(Kernel, EveryInstructionSetDecidesUmbraAlike) {
 TEST(Kernel, EveryInstructionSetGivesTheSameWords) {
   std::set<std::size_t> kinds;
   std::size_t partial = 0;
-  for (unsigned seed = 1; seed <= 60; ++seed) {
+  for (unsigned seed = 1; seed <= repetitions(60); ++seed) {
     std::mt19937 random(seed);
     const traces::Trace trace = test::random_tetrahedra(random, 56, 56, 6);
     const Pixels pixels = random_pixels(random, 49);

@@ -5,6 +5,8 @@
 #include <array>
 #include <random>
 
+#include "tests/support/repetitions.h"
+
 namespace wedgesim::model {
 namespace {
 
@@ -64,7 +66,7 @@ TEST(Outline, AlmostHorizontalEdgesFarAwayDoNotOverflow) {
 }
 
 TEST(Outline, ATriangulatedGridCoversEveryPixelOnce) {
-  for (unsigned seed = 1; seed <= 50; ++seed) {
+  for (unsigned seed = 1; seed <= repetitions(50); ++seed) {
     std::mt19937 random(seed);
     // A grid of points shaken too little to fold a cell, some onto pixel centres, cut both ways.
     const int n = 9;
@@ -104,7 +106,7 @@ TEST(Outline, ATriangulatedGridCoversEveryPixelOnce) {
 }
 
 TEST(Outline, EqualsTheEdgeFunctionsAtEveryPixel) {
-  for (unsigned seed = 1; seed <= 300; ++seed) {
+  for (unsigned seed = 1; seed <= repetitions(300); ++seed) {
     std::mt19937 random(seed);
     std::vector<Snapped> v(3);
     for (Snapped& p : v)

@@ -13,6 +13,7 @@
 #include "functional/scene/scene_file.h"
 #include "model/count/primitive.h"
 #include "model/count/z_frame.h"
+#include "tests/model/datapath/one_point.h"
 
 namespace wedgesim::model::datapath {
 namespace {
@@ -103,28 +104,6 @@ TEST(Contribution, LosesAccuracyWithItsBits) {
   narrow.form_bits = 40;
   EXPECT_GT(errors_of(trace.view(), narrow).rms(), 1e-3);
 }
-
-// A trace of one wedge whose forms are constants: the point is where it is put.
-struct OnePoint {
-  traces::Trace trace;
-  traces::fb::Wedge wedge;
-
-  OnePoint(traces::fb::LightShape shape, const glm::dvec3& point, double w, const glm::dvec3& begin,
-           const glm::dvec3& end) {
-    std::array<double, 16> columns{};
-    columns[12] = w * point.x;
-    columns[13] = w * point.y;
-    columns[14] = w * point.z;
-    columns[15] = w;
-    trace.header.lights.resize(1);
-    trace.header.lights[0].shape = shape;
-    trace.header.lights[0].light_from_window =
-        traces::fb::Matrix4(flatbuffers::span<const double, 16>(columns));
-    wedge.mutate_kind(traces::fb::WedgeKind_coverage);
-    wedge.mutable_edge_begin() = {begin.x, begin.y, begin.z};
-    wedge.mutable_edge_end() = {end.x, end.y, end.z};
-  }
-};
 
 // Points behind an edge of any length that crosses the light's image, contact among them.
 TEST(Contribution, IsWithinItsStatedErrorForPointsLightsAndEdgesAtRandom) {
