@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -15,6 +16,7 @@
 #include "cli/print.h"
 #include "cli/progress.h"
 #include "reports/memory_trace.h"
+#include "reports/timeline.h"
 #include "traces/reader.h"
 
 namespace wedgesim::cli {
@@ -22,7 +24,7 @@ namespace {
 
 struct Arguments {
   std::string file, config = "paper2-single", json, memory_trace, memory_trace_format = "csv",
-                    energy, maps;
+                    energy, maps, timeline, vcd, window;
   bool clocked = false, print_config = false;
 };
 
@@ -36,11 +38,17 @@ std::optional<model::memory::EnergyTable> energy_of(const Arguments& arguments) 
 }
 
 reports::CyclesReport run_block(const Arguments& arguments, const traces::TraceView& trace,
-                                const model::BlockConfig& config) {
+                                const model::BlockConfig& config, reports::Timeline* timeline) {
   const std::optional<model::memory::EnergyTable> energy = energy_of(arguments);
   const model::memory::EnergyTable* table = energy ? &*energy : nullptr;
   model::BlockOptions options;
   if (arguments.clocked) options.timing = model::units::Timing::clocked;
+  if (timeline != nullptr) {
+    options.states = [timeline](std::string_view unit, model::units::UnitState state,
+                                model::memory::Cycle begin, model::memory::Cycle end) {
+      timeline->add(unit, state, begin, end);
+    };
+  }
   Progress progress;
   progress.show(fmt::format("{}: the block at work", trace.header.name));
   if (arguments.memory_trace.empty()) return reports::run_cycles(trace, config, options, table);
@@ -64,6 +72,25 @@ reports::CyclesReport run_block(const Arguments& arguments, const traces::TraceV
   return *report;
 }
 
+// The cycles that a timeline shows: all, or FROM,TO.
+reports::Timeline timeline_of(const Arguments& arguments) {
+  if (arguments.window.empty()) return {0, std::numeric_limits<std::uint64_t>::max()};
+  const auto [from, to] = parse_point("--window", arguments.window);
+  if (from >= to) throw InputError("--window", arguments.window, "FROM,TO with FROM below TO");
+  return {static_cast<std::uint64_t>(from), static_cast<std::uint64_t>(to)};
+}
+
+void write_timeline(const std::string& file, const reports::Timeline& timeline,
+                    void (reports::Timeline::*write)(std::ostream& out) const) {
+  if (file.empty()) return;
+  write_atomically(file, [&](const std::filesystem::path& temporary) {
+    std::ofstream out(temporary, std::ios::binary);
+    (timeline.*write)(out);
+    out.close();
+    if (!out) throw InputError(file, "cannot be written", "a writable file with room");
+  });
+}
+
 int run(const Arguments& arguments) {
   const model::BlockConfig config = model::read_block(arguments.config);
   if (arguments.print_config) {
@@ -75,10 +102,16 @@ int run(const Arguments& arguments) {
   const std::array inputs{std::filesystem::path(arguments.file),
                           std::filesystem::path(arguments.config),
                           std::filesystem::path(arguments.energy)};
-  for (const std::string& output : {arguments.json, arguments.memory_trace}) {
+  for (const std::string& output :
+       {arguments.json, arguments.memory_trace, arguments.timeline, arguments.vcd}) {
     if (!output.empty()) require_not_read(output, inputs);
   }
-  const reports::CyclesReport report = run_block(arguments, trace.view(), config);
+  reports::Timeline timeline = timeline_of(arguments);
+  const bool listens = !arguments.timeline.empty() || !arguments.vcd.empty();
+  const reports::CyclesReport report =
+      run_block(arguments, trace.view(), config, listens ? &timeline : nullptr);
+  write_timeline(arguments.timeline, timeline, &reports::Timeline::write_chrome);
+  write_timeline(arguments.vcd, timeline, &reports::Timeline::write_vcd);
   if (!arguments.json.empty()) reports::write_json(arguments.json, reports::cycles_json(report));
   const std::string maps =
       arguments.maps.empty() ? "" : reports::write_tile_maps(arguments.maps, report);
@@ -113,6 +146,12 @@ Command add_cycles(CLI::App& program) {
   app->add_option("--maps", arguments->maps,
                   "Write maps of the tiles: PREFIX_tile_bytes, PREFIX_tile_cycles as .png and .exr")
       ->type_name("PREFIX");
+  app->add_option("--timeline", arguments->timeline,
+                  "Write what each unit does when, for Perfetto or Chrome's tracing")
+      ->type_name("FILE");
+  app->add_option("--vcd", arguments->vcd, "The same as a value change dump")->type_name("FILE");
+  app->add_option("--window", arguments->window, "Cycles that both show; all without it")
+      ->type_name("FROM,TO");
   app->footer("Example:\n  wedgesim cycles out/paper2/bunny.wtrace --config paper2-single");
   return {app, [arguments] { return run(*arguments); }};
 }

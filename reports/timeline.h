@@ -6,12 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "model/units/unit_state.h"
+
 namespace wedgesim::reports {
 
 /// What the units do over a window of cycles, for people to look at.
 class Timeline {
  public:
-  enum class State : std::uint8_t { busy, starved, stalled };
+  using State = model::units::UnitState;
   struct Span {
     State state;
     std::uint64_t begin, end;  // cycles, half open

@@ -97,6 +97,7 @@ class Block {
       target_ = std::move(target);
     }
     if (options.listener) port_.listen(options.listener);
+    if (options.states) listen_to_states(options);
     li_update_.on_drained([this](Cycle cycle) { wedge_fetch_.drained(cycle); });
   }
 
@@ -143,6 +144,17 @@ class Block {
   }
 
  private:
+  void listen_to_states(const BlockOptions& options) {
+    for (units::BlockUnit* unit :
+         std::array<units::BlockUnit*, 7>{&wedge_fetch_, &wedge_setup_, &tile_walk_, &tile_cull_,
+                                          &z_read_, &penumbra_, &li_update_}) {
+      const std::string name = unit->basename();
+      unit->time().listen(
+          [name, states = options.states](units::UnitState state, Cycle begin, Cycle end) {
+            states(name, state, begin, end);
+          });
+    }
+  }
   static unsigned tiles_across(const RecordedFrame& frame) {
     const unsigned tile = frame.rasterizer.tile;
     return (static_cast<unsigned>(frame.layout.width) + tile - 1) / tile;

@@ -76,6 +76,10 @@ struct BlockResult {
 struct BlockOptions {
   units::Timing timing = units::Timing::decoupled;
   std::function<void(const memory::MemoryRecord&)> listener;  // of every access at the port
+  /// Of every state of every unit, for cycles [begin, end); a unit's own come in order.
+  std::function<void(std::string_view unit, units::UnitState state, memory::Cycle begin,
+                     memory::Cycle end)>
+      states;
   /// Makes a TLM-2.0 target of the user's own, instead of config.memory, and binds the port's
   /// socket to it; called while SystemC elaborates. docs/block.md has an example.
   std::function<std::unique_ptr<sc_core::sc_module>(units::MemoryPort& port)> target;

@@ -35,6 +35,7 @@ class BlockUnit : public sc_core::sc_module {
   }
 
   const UnitTime& time() const { return time_; }
+  UnitTime& time() { return time_; }
   const Group& statistics() const { return statistics_; }
   bool finished() const { return finished_; }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <systemc>
 
 #include "base/counter.h"
 #include "model/memory/cycle.h"
+#include "model/units/unit_state.h"
 
 namespace wedgesim::model::units {
 
@@ -38,11 +40,11 @@ class UnitTime {
   Timing timing() const { return timing_; }
   Cycle now() const { return now_; }
   /// Works for some cycles.
-  void work(Cycle cycles) { advance(cycles, busy_); }
+  void work(Cycle cycles) { advance(cycles, UnitState::busy, busy_); }
   /// Has nothing to work on until a cycle.
-  void starve_until(Cycle cycle) { advance_to(cycle, starved_); }
+  void starve_until(Cycle cycle) { advance_to(cycle, UnitState::starved, starved_); }
   /// Cannot hand on, or must wait for what it asked for, until a cycle.
-  void stall_until(Cycle cycle) { advance_to(cycle, stalled_); }
+  void stall_until(Cycle cycle) { advance_to(cycle, UnitState::stalled, stalled_); }
   /// The same, for memory.
   void wait_for_memory_until(Cycle cycle) {
     if (cycle > now_) memory_ += cycle - now_;
@@ -54,6 +56,7 @@ class UnitTime {
     if (kernel <= now_) return;
     stalled_ += kernel - now_;
     memory_ += kernel - now_;
+    if (listener_) listener_(UnitState::stalled, now_, kernel);
     now_ = kernel;
   }
   /// Lets everything that happens before this unit's time happen first. The kernel may stay behind
@@ -66,6 +69,11 @@ class UnitTime {
     sc_core::wait(ahead);
   }
 
+  /// Calls `listener` for the cycles [begin, end) that the unit spends in a state, from now on.
+  void listen(std::function<void(UnitState state, Cycle begin, Cycle end)> listener) {
+    listener_ = std::move(listener);
+  }
+
   Cycle busy() const { return busy_.value(); }
   Cycle starved() const { return starved_.value(); }
   Cycle stalled() const { return stalled_.value(); }
@@ -73,11 +81,12 @@ class UnitTime {
   Cycle memory() const { return memory_.value(); }
 
  private:
-  void advance_to(Cycle cycle, Counter& counter) {
-    if (cycle > now_) advance(cycle - now_, counter);
+  void advance_to(Cycle cycle, UnitState state, Counter& counter) {
+    if (cycle > now_) advance(cycle - now_, state, counter);
   }
-  void advance(Cycle cycles, Counter& counter) {
+  void advance(Cycle cycles, UnitState state, Counter& counter) {
     counter += cycles;
+    if (listener_) listener_(state, now_, now_ + cycles);
     if (timing_ == Timing::decoupled) {
       now_ += cycles;
       return;
@@ -90,6 +99,7 @@ class UnitTime {
 
   Timing timing_;
   Group& statistics_;
+  std::function<void(UnitState, Cycle, Cycle)> listener_;
   Cycle now_ = 0;
   Counter busy_{statistics_, "busy_cycles", Unit::cycles, "Cycles at work"};
   Counter starved_{statistics_, "starved_cycles", Unit::cycles, "Cycles without input"};
