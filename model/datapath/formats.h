@@ -32,10 +32,10 @@ struct Width {
 inline constexpr std::array kWidths{
     Width{"form_bits", [](Formats& f) -> int& { return f.form_bits; }, 24, 62,
           "bits of the value of a plane or another linear form, sign included",
-          "signs and ratios near contact; 2 more than the pixel bars need"},
+          "signs and ratios near contact; 53 hold the pixel bars on the scenes"},
     Width{"significand_bits", [](Formats& f) -> int& { return f.significand_bits; }, Rounder::kMinBits, Rounder::kMaxBits,
           "significant bits of every operator of intensity and coverage",
-          "2 more than the pixel bars need"},
+          "12 hold the pixel bars on the scenes"},
     Width{"li_integer_bits", [](Formats& f) -> int& { return f.li.integer_bits; }, 2, 24,
           "bits of an LI word before its point, sign included",
           "16 full lights"},
