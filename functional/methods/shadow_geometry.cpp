@@ -139,14 +139,12 @@ class Builder {
     }
   }
 
-  // The end of a volume: a fan over the far corners of its loop, all in the end plane. Where the
-  // loop is not convex a triangle may be wound the other way; its plane then turns with it.
+  // The end of a volume: a fan over the far corners of its loop, all in the end plane. A triangle
+  // may be wound the other way where the loop is not convex, or snapped so where it is thin; its
+  // plane then turns with it.
   void add_bottoms(const std::vector<glm::dvec3>& far, const EndPlane& end_plane) {
     for (std::size_t i = 1; i + 1 < far.size(); ++i) {
-      const glm::dvec3 outward = glm::cross(far[i + 1] - far[0], far[i] - far[0]);
-      const bool turned = glm::dot(outward, glm::dvec3(end_plane.plane)) > 0.0;
-      add_umbra({far[0], far[i + 1], far[i]}, turned ? -end_plane.plane : end_plane.plane,
-                traces::kNone, fb::UmbraRole_bottom);
+      add_umbra({far[0], far[i + 1], far[i]}, end_plane.plane, traces::kNone, fb::UmbraRole_bottom);
     }
   }
 
@@ -201,8 +199,9 @@ class Builder {
   void add_umbra(const std::vector<glm::dvec3>& outline, const glm::dvec4& plane,
                  std::uint32_t wedge, fb::UmbraRole role) {
     const std::uint32_t reference = role == fb::UmbraRole_cap ? 0 : screen_.plane_reference(plane);
-    const std::uint32_t polygon = screen_.add_umbra_polygon(outline, reference, wedge, caster_,
-                                                            role, kind_ == fb::WedgeKind_linear);
+    const bool twisted = kind_ == fb::WedgeKind_linear || role == fb::UmbraRole_bottom;
+    const std::uint32_t polygon =
+        screen_.add_umbra_polygon(outline, reference, wedge, caster_, role, twisted);
     if (pyramid_.meets(outline)) need_z_fail();
     for (std::size_t i = geometry_.umbra_planes.size(); i < trace_.umbra_polygons.size(); ++i) {
       const bool turned = trace_.umbra_polygons[i].plane() != reference;

@@ -76,7 +76,6 @@ struct Worst {
   double error = 0.0;  // where the stored z allows more than the bar, too
   double rms = 0.0, rms_penumbra = 0.0;
   std::uint64_t mismatched = 0;
-  std::uint64_t in_double = 0;
   std::uint64_t contributions = 0;
   int views = 0, refused = 0, wide = 0;
 
@@ -89,38 +88,25 @@ struct Worst {
   }
 };
 
-// Pixels that double precision gets wrong, too. None under the trace's own z method; under the
-// other one the trace's polygons are to blame, and the fixed datapath has to show the same.
-std::uint64_t mismatched_in_double(const traces::Trace& trace, ZChoice z) {
-  const model::CountConfig config{.z = z};
-  const auto mismatched = model::count(trace.view(), {&config, 1})[0].pixels.mismatched;
-  EXPECT_LE(mismatched, z == ZChoice::automatic ? 0U : 1U) << "in double precision";
-  return mismatched;
-}
-
 void expect_words(const traces::Trace& trace, ZChoice z, const model::Datapath& datapath,
                   Worst& worst) {
   model::CountOptions options;
   options.maps = true;
   options.datapath = datapath;
   const auto results = model::count(trace.view(), configs(z), options);
-  const auto exact = mismatched_in_double(trace, z);
-  worst.in_double += exact;
   for (const CountResult& result : results) {
     SCOPED_TRACE(std::string(spelling(result.config.mode)) + " tile " +
                  std::to_string(result.config.tile) + " cull " +
                  std::string(spelling(result.config.cull)) + " z " + std::string(spelling(z)));
-    EXPECT_EQ(result.pixels.mismatched, exact);
+    EXPECT_EQ(result.pixels.mismatched, 0U);
     EXPECT_EQ(result.wrong_contributions, 0U);
-    if (exact == 0) {
-      EXPECT_LE(result.pixels.rms_error, kMostRms);
-      EXPECT_LE(result.pixels.rms_penumbra, kMostRms);
-    }
+    EXPECT_LE(result.pixels.rms_error, kMostRms);
+    EXPECT_LE(result.pixels.rms_penumbra, kMostRms);
     if (result.counters->li_overflow_pixels.value() == 0) {
       EXPECT_TRUE(result.li == results[0].li) << "words differ";
     }
   }
-  if (exact == 0) worst.add(results[0]);
+  worst.add(results[0]);
 }
 
 void check_view(const functional::Scene& scene, const Combination& combination, Worst& worst) {
@@ -188,9 +174,8 @@ TEST_P(FixedDatapath, HoldsThePixelBars) {
     std::cout << name << ' ' << name_of(kCombinations[i]) << ": " << w.views << " views, "
               << w.refused << " refused, " << w.wide << " with wide LI; error at most "
               << w.error * 255.0 << "/255, RMS " << w.rms * 255.0 << "/255, in penumbrae "
-              << w.rms_penumbra * 255.0 << "/255, " << w.mismatched << " mismatched ("
-              << w.in_double << " more in double, too), at most " << w.contributions
-              << " contributions a pixel\n";
+              << w.rms_penumbra * 255.0 << "/255, " << w.mismatched << " mismatched, at most "
+              << w.contributions << " contributions a pixel\n";
     EXPECT_GE(w.views, 1 + views / 2);
   }
 }
