@@ -35,7 +35,7 @@ class MemoryTarget final : public sc_core::sc_module {
 
  private:
   void transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {
-    const Cycle at = units::kernel_cycle() + units::time_to_cycles(delay);
+    const Cycle at = units::cycle_at(sc_core::sc_time_stamp() + delay);
     const Cycle done =
         model_.access(payload.get_address(), payload.get_data_length(), payload.is_write(), at);
     delay += units::cycles_to_time(done - at);

@@ -7,10 +7,17 @@
 
 namespace wedgesim::model::units {
 
+namespace {
+
+// A surface belongs to one unit (LI and stencil to the same), so it says whose turn it is.
+unsigned turn_of(memory::Surface surface) { return static_cast<unsigned>(surface); }
+
+}  // namespace
+
 Cycle MemoryPort::access(UnitTime& time, const AccessTag& tag, std::uint64_t address,
                          unsigned bytes, bool write) {
-  time.sync();
-  CHECK_GE(time.now(), kernel_cycle());
+  const sc_core::sc_time at = time.sync(turn_of(tag.surface));
+  CHECK_EQ(cycle_at(at), time.now());
   Traffic& traffic = traffic_[static_cast<std::size_t>(tag.surface)];
   (write ? traffic.writes : traffic.reads) += 1;
   (write ? traffic.write_bytes : traffic.read_bytes) += bytes;
@@ -39,15 +46,16 @@ Cycle MemoryPort::access(UnitTime& time, const AccessTag& tag, std::uint64_t add
   payload.set_dmi_allowed(false);
   payload.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
   // The kernel may be behind: the target hears by how much.
-  sc_core::sc_time delay = cycles_to_time(time.now() - kernel_cycle());
+  sc_core::sc_time delay = at - sc_core::sc_time_stamp();
   request.under_way = true;
   socket->b_transport(payload, delay);
   request.under_way = false;
   if (!payload.is_response_ok()) {
     throw std::runtime_error("memory answers " + payload.get_response_string());
   }
-  time.catch_up();
-  const Cycle done = kernel_cycle() + time_to_cycles(delay);
+  const sc_core::sc_time after = sc_core::sc_time_stamp();
+  const Cycle done = time.now() + time_to_cycles(after + delay - at);
+  if (after > at) time.was_held(time_to_cycles(after - at));
   last_done_ = std::max(last_done_, done);
   return done;
 }

@@ -24,9 +24,9 @@ struct AccessTag {
 };
 
 /// The block's one port to memory: a TLM-2.0 initiator. Requests of all units leave in the order of
-/// their cycles, those of one cycle in the order in which the kernel runs the units. Whoever is
-/// behind the socket gets, and answers with, a delay (loosely timed, b_transport). A target that
-/// waits instead holds the unit that asked: its requests do not overlap then.
+/// their cycles, those of one cycle in the order of the surfaces. Whoever is behind the socket
+/// gets, and answers with, a delay (loosely timed, b_transport). A target that waits instead holds
+/// the unit that asked: its requests do not overlap then.
 class MemoryPort final : public sc_core::sc_module {
  public:
   explicit MemoryPort(sc_core::sc_module_name name) : sc_module(name), socket("socket") {}

@@ -26,11 +26,13 @@ inline constexpr Cycle kResolutionsPerCycle = 1000;
 inline sc_core::sc_time cycles_to_time(Cycle cycles) {
   return sc_core::sc_time::from_value(kResolutionsPerCycle * cycles);
 }
-/// Rounded up: what is done within a cycle is there at its end.
+/// Whole cycles of a duration, rounded up: what is done within a cycle is there at its end.
 inline Cycle time_to_cycles(const sc_core::sc_time& time) {
   return (time.value() + kResolutionsPerCycle - 1) / kResolutionsPerCycle;
 }
-inline Cycle kernel_cycle() { return time_to_cycles(sc_core::sc_time_stamp()); }
+/// The cycle that a point in time lies in.
+inline Cycle cycle_at(const sc_core::sc_time& time) { return time.value() / kResolutionsPerCycle; }
+inline Cycle kernel_cycle() { return cycle_at(sc_core::sc_time_stamp()); }
 
 /// A unit's own time. Every cycle of it is exactly one of busy, starved and stalled.
 class UnitTime {
@@ -50,23 +52,24 @@ class UnitTime {
     if (cycle > now_) memory_ += cycle - now_;
     stall_until(cycle);
   }
-  /// What the unit called has let the kernel go on: comes up to it, stalled by memory.
-  void catch_up() {
-    const Cycle kernel = kernel_cycle();
-    if (kernel <= now_) return;
-    stalled_ += kernel - now_;
-    memory_ += kernel - now_;
-    if (listener_) listener_(UnitState::stalled, now_, kernel);
-    now_ = kernel;
+  /// Memory has held the unit for some cycles, in which the kernel has gone on already.
+  void was_held(Cycle cycles) {
+    stalled_ += cycles;
+    memory_ += cycles;
+    if (listener_) listener_(UnitState::stalled, now_, now_ + cycles);
+    now_ += cycles;
   }
   /// Lets everything that happens before this unit's time happen first. The kernel may stay behind
   /// if nothing else is due until then.
-  void sync() const {
-    const Cycle kernel = kernel_cycle();
-    if (now_ <= kernel) return;
-    const sc_core::sc_time ahead = cycles_to_time(now_ - kernel);
-    if (sc_core::sc_time_to_pending_activity() > ahead) return;
-    sc_core::wait(ahead);
+  /// \param turn  the unit's place among those that sync in one cycle, less than
+  ///              kResolutionsPerCycle
+  /// \return      the time it then is for the unit: its cycle and its turn, or later
+  sc_core::sc_time sync(unsigned turn) const {
+    const sc_core::sc_time own = cycles_to_time(now_) + sc_core::sc_time::from_value(turn);
+    const sc_core::sc_time& kernel = sc_core::sc_time_stamp();
+    if (own <= kernel) return kernel;
+    if (sc_core::sc_time_to_pending_activity() <= own - kernel) sc_core::wait(own - kernel);
+    return own;
   }
 
   /// Calls `listener` for the cycles [begin, end) that the unit spends in a state, from now on.
@@ -92,8 +95,9 @@ class UnitTime {
       return;
     }
     for (; cycles > 0; --cycles) {
-      sc_core::wait(cycles_to_time(1));
       ++now_;
+      const sc_core::sc_time own = cycles_to_time(now_);
+      if (own > sc_core::sc_time_stamp()) sc_core::wait(own - sc_core::sc_time_stamp());
     }
   }
 

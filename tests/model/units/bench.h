@@ -35,7 +35,7 @@ class FakeMemory final : public sc_core::sc_module {
  private:
   void transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {
     accesses.push_back(
-        {kernel_cycle() + time_to_cycles(delay), payload.get_address(), payload.is_write()});
+        {cycle_at(sc_core::sc_time_stamp() + delay), payload.get_address(), payload.is_write()});
     delay += cycles_to_time(latency(payload.get_address()));
     payload.set_response_status(tlm::TLM_OK_RESPONSE);
   }

@@ -63,7 +63,7 @@ TEST_P(UnitTimeTest, WhatIsDueBeforeHappensBefore) {
     std::string order;
     const Actor unit("unit", GetParam(), [&](UnitTime& time) {
       time.work(5);
-      time.sync();
+      time.sync(0);
       order += order.empty() ? "unit" : " unit";
     });
     const Actor other("other", GetParam(), [&, cycles = due](UnitTime&) {
@@ -75,20 +75,41 @@ TEST_P(UnitTimeTest, WhatIsDueBeforeHappensBefore) {
   }
 }
 
-// The kernel was at 0 or 2; a target lets it go on by 6.
-TEST_P(UnitTimeTest, AKernelThatHasGoneOnIsCaughtUpWith) {
+// Three units that sync in cycle 5, made in another order than that of their turns.
+TEST_P(UnitTimeTest, TurnsOrderWhatHappensInACycle) {
+  const ScopedSimulation simulation;
+  std::string order;
+  const auto with_turn = [&](unsigned turn) {
+    return [&, turn](UnitTime& time) {
+      time.work(5);
+      EXPECT_EQ(cycle_at(time.sync(turn)), 5U);
+      order += std::to_string(turn);
+      time.work(1);
+      EXPECT_EQ(cycle_at(time.sync(9 - turn)), 6U);
+      order += std::to_string(9 - turn);
+    };
+  };
+  const Actor a("a", GetParam(), with_turn(4));
+  const Actor b("b", GetParam(), with_turn(0));
+  const Actor c("c", GetParam(), with_turn(2));
+  sc_core::sc_start();
+  EXPECT_EQ(order, "024579");
+}
+
+TEST_P(UnitTimeTest, AUnitThatMemoryHoldsIsStalled) {
   act([](UnitTime& time) {
     time.work(2);
+    time.sync(0);
     const Cycle before = kernel_cycle();
     sc_core::wait(cycles_to_time(6));
-    time.catch_up();
-    time.catch_up();
-    EXPECT_EQ(time.now(), before + 6);
-    EXPECT_EQ(time.memory(), before + 4);
+    time.was_held(6);
+    EXPECT_EQ(time.now(), 8U);
     time.work(1);
+    EXPECT_EQ(kernel_cycle(), before + (GetParam() == Timing::clocked ? 7 : 6));
   });
-  EXPECT_EQ(busy, 3U);
-  EXPECT_EQ(stalled, memory);
+  EXPECT_EQ(now, 9U);
+  EXPECT_EQ(stalled, 6U);
+  EXPECT_EQ(memory, 6U);
 }
 
 WEDGESIM_BOTH_TIMINGS(UnitTimeTest);
