@@ -1,0 +1,106 @@
+// Does every configuration print as a file that reads as the same, and is each mistake named?
+#include "model/block/config.h"
+
+#include <gtest/gtest.h>
+
+#include "model/block/config_keys.h"
+#include "tests/support/expect_input_error.h"
+
+namespace wedgesim::model {
+namespace {
+
+std::string replaced(std::string text, const std::string& line, const std::string& by) {
+  const std::size_t at = text.find('\n' + line);
+  EXPECT_NE(at, std::string::npos) << line;
+  const std::size_t end = text.find('\n', at + 1);
+  return text.replace(at + 1, end - at - 1, by);
+}
+
+// What reading a file says that changes the preset.
+std::string error_of(const std::string& changes, const std::string& preset = "paper2-single") {
+  return input_error_of([&] { parse_block("preset = \"" + preset + "\"\n" + changes, "b.toml"); });
+}
+
+TEST(BlockConfig, EveryPresetReadsAsItPrints) {
+  for (const std::string_view name : block_presets()) {
+    const BlockConfig config = read_block(std::string(name));
+    EXPECT_EQ(config.name, name);
+    const std::string text = to_toml(config);
+    EXPECT_EQ(to_toml(parse_block(text, "b.toml")), text) << name;
+  }
+  EXPECT_EQ(read_block("paper2-three").rasterizer.mode, Mode::three_pass);
+  EXPECT_EQ(read_block("small").memory.kind, MemoryKind::dram);
+  EXPECT_EQ(read_block("wide").penumbra.lanes, 16);
+}
+
+// Each number is set to another of its range, alone, and comes back.
+TEST(BlockConfig, EveryKeyIsReadIntoItsPlace) {
+  for (const BlockKey& key : kBlockKeys) {
+    BlockConfig expected;
+    int& value = key.of(expected);
+    value = value == key.high ? key.low : key.high;
+    if (key.power_of_two && key.key.ends_with("ways")) value = 1;
+    const std::string text = "preset = \"paper2-single\"\n[" + std::string(key.section) + "]\n" +
+                             std::string(key.key) + " = " + std::to_string(value);
+    EXPECT_EQ(to_toml(parse_block(text, "b.toml")), to_toml(expected)) << text;
+  }
+}
+
+TEST(BlockConfig, EachKeyIsNeededWithoutAPreset) {
+  const std::string text = to_toml(BlockConfig());
+  for (const BlockKey& key : kBlockKeys) {
+    // In its section: a key may be in several.
+    const std::size_t section = text.find("[" + std::string(key.section) + "]");
+    const std::string rest =
+        replaced(text.substr(section), std::string(key.key) + " = ", "# left out");
+    const std::string error =
+        input_error_of([&] { parse_block(text.substr(0, section) + rest, "b.toml"); });
+    EXPECT_NE(error.find("b.toml:"), std::string::npos) << error;
+    EXPECT_NE(error.find(key.key), std::string::npos) << error;
+  }
+}
+
+TEST(BlockConfig, NumbersOutOfRangeAreNamed) {
+  for (const BlockKey& key : kBlockKeys) {
+    for (const int value : {key.low - 1, key.high + 1}) {
+      const std::string error = error_of("[" + std::string(key.section) + "]\n" +
+                                         std::string(key.key) + " = " + std::to_string(value));
+      EXPECT_NE(error.find("b.toml:3: '" + std::string(key.key) + "'"), std::string::npos)
+          << key.key << ": " << error;
+    }
+  }
+}
+
+TEST(BlockConfig, WhatNoHardwareCanBeIsNamed) {
+  const std::pair<const char*, const char*> mistakes[] = {
+      {"[penumbra]\nlanes = 0", "'lanes'"},
+      {"[penumbra]\nlanes = 3", "'lanes' 3 is no power of two"},
+      {"[block]\ntile = 12", "'tile' 12 is no power of two"},
+      {"[block]\ntile = 1", "'tile'"},
+      {"[z_read]\ncache_bytes = 32", "z_read.cache_bytes: 32 bytes are less than a line"},
+      {"[z_read]\ncache_bytes = 128", "z_read.cache_ways: 4 ways of 64 bytes in a cache of 128"},
+      {"[li_update]\nstencil_cache_bytes = 64", "li_update.stencil_cache_ways"},
+      {"[block]\nmode = \"two-pass\"", "mode"},
+      {"[block]\ntiles = 8", "tiles"},
+      {"[blocks]\ntile = 8", "blocks"},
+      {"[memory]\nkind = \"flash\"", "kind"},
+      {"[formats]\nform_bits = 23", "'form_bits'"},
+      {"[formats]\nli_integer_bits = 1", "'li_integer_bits'"},
+      {"[formats]\nwidth = 8", "width"},
+      {"[block]\ntile = 8.5", "'tile'"},
+      {"[block]\ntile = \"8\"", "'tile'"},
+      {"[block", "b.toml:2"},
+  };
+  for (const auto& [text, part] : mistakes) {
+    const std::string error = error_of(text);
+    EXPECT_NE(error.find("b.toml:"), std::string::npos) << text << ": " << error;
+    EXPECT_NE(error.find(part), std::string::npos) << text << ": " << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+  }
+  EXPECT_NE(error_of("", "huge").find("paper2-single"), std::string::npos);
+  EXPECT_NE(input_error_of([] { read_block("huge"); }).find("no configuration 'huge'"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace wedgesim::model
