@@ -66,8 +66,9 @@ void read_section(const TomlTable& root, std::string_view section, bool complete
     read_choice(table, "kind", complete, config.memory.kind);
     if (config.memory.kind == MemoryKind::dram) {
       if (table.has("dram")) {
-        config.memory.dram = memory::read_dram(table.table("dram"));
-        table.table("dram").reject_unknown();
+        const TomlTable dram = table.table("dram");
+        config.memory.dram = memory::read_dram(dram);
+        dram.reject_unknown();
       } else if (complete) {
         table.fail("dram", "is missing", "a table [memory.dram]");
       }
