@@ -34,11 +34,33 @@ void copy_into(const fs::path& from, const fs::path& path) {
 
 }  // namespace
 
+namespace {
+
+// By any name: a link, or a way through folders that are not there yet.
+bool same_file(const fs::path& a, const fs::path& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code error;  // what is not there is not the same
+  if (fs::equivalent(a, b, error) && !error) return true;
+  const fs::path first = fs::weakly_canonical(a, error);
+  return !error && first == fs::weakly_canonical(b, error) && !error;
+}
+
+}  // namespace
+
 void require_not_read(const fs::path& output, std::span<const fs::path> inputs) {
   for (const fs::path& input : inputs) {
-    std::error_code error;  // what is not there is not the same
-    if (!fs::equivalent(output, input, error) || error) continue;
+    std::error_code error;
+    if (!fs::exists(input, error) || !same_file(output, input)) continue;
     throw InputError(output.string(), "is read, too: it would be written over", "another file");
+  }
+}
+
+void require_apart(std::span<const fs::path> outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!same_file(outputs[i], outputs[k]) || is_written_into(outputs[i])) continue;
+      throw InputError(outputs[i].string(), "is written twice", "a file for each output");
+    }
   }
 }
 

@@ -13,6 +13,10 @@ namespace wedgesim {
 void require_not_read(const std::filesystem::path& output,
                       std::span<const std::filesystem::path> inputs);
 
+/// Refuses two outputs in one file. Devices may take several.
+/// \throws InputError if two of `outputs` are the same file; empty paths are none
+void require_apart(std::span<const std::filesystem::path> outputs);
+
 /// Writes a file whole or not at all: `write` gets a temporary path in the same folder, which is
 /// renamed to `path` when it returns and removed when it throws. Makes missing folders. A device,
 /// pipe or symbolic link is not replaced: the finished bytes are copied into it.

@@ -51,8 +51,10 @@ int run(const Arguments& arguments) {
   std::vector<std::filesystem::path> outputs;
   if (options.maps) outputs = reports::map_files(arguments.maps);
   if (!arguments.json.empty()) outputs.emplace_back(arguments.json);
-  for (const auto& output : outputs)
-    require_not_read(output, std::array{std::filesystem::path(arguments.file)});
+  const std::array inputs{std::filesystem::path(arguments.file),
+                          std::filesystem::path(arguments.formats)};
+  for (const auto& output : outputs) require_not_read(output, inputs);
+  require_apart(outputs);
   const reports::TraceInfo info = reports::info_of(trace.view());
   std::vector<model::CountResult> results;
   {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/file.h"
 #include "base/toml_table.h"
@@ -102,10 +103,18 @@ int run(const Arguments& arguments) {
   const std::array inputs{std::filesystem::path(arguments.file),
                           std::filesystem::path(arguments.config),
                           std::filesystem::path(arguments.energy)};
+  std::vector<std::filesystem::path> outputs;
+  for (const char* map : {"_tile_bytes", "_tile_cycles"}) {
+    for (const char* kind : {".png", ".exr"}) {
+      if (!arguments.maps.empty()) outputs.emplace_back(arguments.maps + map + kind);
+    }
+  }
   for (const std::string& output :
        {arguments.json, arguments.memory_trace, arguments.timeline, arguments.vcd}) {
-    if (!output.empty()) require_not_read(output, inputs);
+    if (!output.empty()) outputs.emplace_back(output);
   }
+  for (const auto& output : outputs) require_not_read(output, inputs);
+  require_apart(outputs);
   reports::Timeline timeline = timeline_of(arguments);
   const bool listens = !arguments.timeline.empty() || !arguments.vcd.empty();
   const reports::CyclesReport report =

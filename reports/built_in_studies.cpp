@@ -29,9 +29,12 @@ Study paper2() {
   each_test.tiles = all_tiles();
   each_test.culls = {Cull::none, Cull::zmax, Cull::zrange, Cull::planes, Cull::both, Cull::sat};
   Sweep no_umbra_test = each_test;
-  no_umbra_test.culls = {Cull::none, Cull::both};
   no_umbra_test.umbra_culls = {UmbraCull::none};
   append(study.configs, no_umbra_test);
+  Sweep acceptance_alone = no_umbra_test;
+  acceptance_alone.culls = {Cull::none};
+  acceptance_alone.accepts = {Accept::zmin};
+  append(study.configs, acceptance_alone);
   append(study.configs, each_test);
   Sweep accepting = each_test;
   accepting.culls = {Cull::both};

@@ -95,6 +95,10 @@ struct Font::Library {
 };
 
 Font::Font(const std::filesystem::path& path) : library_(std::make_unique<Library>()), path_(path) {
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
+    throw InputError(path.string(), "is not a regular file", "a font file");
+  }
   if (FT_New_Face(library_->library, path.c_str(), 0, &library_->face) != 0 ||
       !FT_IS_SCALABLE(library_->face)) {
     throw InputError(path.string(), "cannot be read as a font", "a TrueType font");

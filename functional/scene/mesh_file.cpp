@@ -79,10 +79,15 @@ void check_indices(const std::filesystem::path& path, const aiScene& scene) {
     const aiMesh& part = *scene.mMeshes[m];
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       const aiFace& face = part.mFaces[f];
+      // A face that the file declares and does not hold.
+      if (face.mNumIndices == 0 || face.mIndices == nullptr) {
+        throw InputError(path.string(), fmt::format("face {}: is missing", f),
+                         "every face that the file declares");
+      }
       for (unsigned i = 0; i < face.mNumIndices; ++i) {
-        if (face.mIndices != nullptr && face.mIndices[i] < part.mNumVertices) continue;
-        refuse_index(path.string(), f, face.mIndices == nullptr ? 0 : face.mIndices[i],
-                     part.mNumVertices);
+        if (face.mIndices[i] >= part.mNumVertices) {
+          refuse_index(path.string(), f, face.mIndices[i], part.mNumVertices);
+        }
       }
     }
   }

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <glm/geometric.hpp>
-#include <iterator>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/limits.h"
 #include "base/toml_table.h"
 #include "functional/scene/built_in.h"
@@ -37,10 +36,8 @@ std::string read_text(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error)) {
     throw InputError(path.string(), "is a folder", "a scene file");
   }
-  std::ifstream stream(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream) throw InputError(path.string(), "cannot be read", "a scene file");
-  return text;
+  const MappedFile file(path);
+  return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
 }
 
 Source find_source(const std::string& name_or_file) {

@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "model/block/scoped_simulation.h"
+#include "model/count/traffic.h"
 #include "model/memory/dram.h"
 #include "model/memory/ideal_memory.h"
 
@@ -255,8 +256,8 @@ RecordedFrame record_frame(const traces::TraceView& trace, const BlockConfig& co
   layout.height = static_cast<int>(trace.header.height);
   layout.tile = static_cast<int>(config.rasterizer.tile);
   layout.z_bytes = z_bytes(trace.header.depth_format);
-  layout.li_bytes = config.formats.li.bits() <= 16 ? 2 : (config.formats.li.bits() <= 32 ? 4 : 8);
-  layout.stencil_bytes = config.formats.stencil_bits <= 8 ? 1 : 2;
+  layout.li_bytes = static_cast<int>(bytes_of_bits(config.formats.li.bits()));
+  layout.stencil_bytes = static_cast<int>(bytes_of_bits(config.formats.stencil_bits));
   layout.wedge_bytes = walk->record_bytes();
   return frame;
 }

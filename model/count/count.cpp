@@ -209,7 +209,7 @@ void Traversal::finish_config(const TileSize& size, std::size_t index, const Fra
   counters.tile_words = size.depths.count() * words_a_tile;
   counters.tile_build_reads = words == 0 ? 0 : build_reads(run);
   finish_traffic(counters, run.config.mode, trace_.header.depth_format, trace_.depth.size(),
-                 summary.stencil_not_zero);
+                 summary.stencil_not_zero, options_.datapath.word_bytes());
   result.pixels = summary.pixels;
   if (!options_.maps) return;
   result.z_reads = by_rows(std::move(run.z_reads));

@@ -5,6 +5,7 @@
 #include "model/count/config.h"
 #include "model/count/contribution.h"
 #include "model/count/plane.h"
+#include "model/count/traffic.h"
 #include "model/datapath/form.h"
 #include "model/datapath/formats.h"
 #include "traces/trace.h"
@@ -24,6 +25,11 @@ struct Datapath {
   /// Is the true sum of a pixel in the range of its word?
   bool li_holds(std::int64_t word) const;
   bool stencil_holds(std::int64_t stencil) const;
+  /// Of a word in memory.
+  WordBytes word_bytes() const {
+    if (kind != LiFormat::fixed) return {};
+    return {bytes_of_bits(formats.li.bits()), bytes_of_bits(formats.stencil_bits)};
+  }
   /// How far a pixel may be off, in units of full light, besides its own sensitivity.
   double tolerance() const { return kind == LiFormat::exact ? 1e-6 : 2.0 / 255.0; }
 };

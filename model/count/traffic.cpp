@@ -3,7 +3,7 @@
 namespace wedgesim::model {
 
 void finish_traffic(Counters& counters, Mode mode, traces::fb::DepthFormat format,
-                    std::uint64_t pixels, std::uint64_t merged) {
+                    std::uint64_t pixels, std::uint64_t merged, const WordBytes& bytes) {
   const bool stencil = mode == Mode::three_pass;
   if (!stencil) merged = 0;
   counters.stencil_reads = counters.stencil_writes.value();
@@ -19,8 +19,8 @@ void finish_traffic(Counters& counters, Mode mode, traces::fb::DepthFormat forma
   // To add umbra, to merge, to clear.
   const std::uint64_t stencil_words =
       2 * counters.stencil_writes.value() + (stencil ? 2 * pixels : 0);
-  counters.all_bytes = depth_words * depth_bytes(format) + li_words * kLiBytes +
-                       stencil_words * kStencilBytes + counters.wedge_bytes.value();
+  counters.all_bytes = depth_words * depth_bytes(format) + li_words * bytes.li +
+                       stencil_words * bytes.stencil + counters.wedge_bytes.value();
 }
 
 }  // namespace wedgesim::model

@@ -335,7 +335,8 @@ void TileDatapath::finish() {
     counters_.li_overflow_pixels += bad ? 1 : 0;
   }
   finish_traffic(counters_, config_.mode, trace_.header.depth_format, pixels,
-                 counters_.merge_writes.value());
+                 counters_.merge_writes.value(),
+                 {bytes_of_bits(formats_.li.bits()), bytes_of_bits(formats_.stencil_bits)});
 }
 
 }  // namespace wedgesim::model::units

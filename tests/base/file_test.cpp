@@ -105,6 +105,15 @@ TEST(WriteFile, NeverReplacesAPipe) {
   EXPECT_EQ(line, "through");
 }
 
+TEST(RequireApart, RefusesTwoOutputsInOneFile) {
+  const TemporaryFolder folder;
+  using Paths = std::vector<fs::path>;
+  EXPECT_NO_THROW(require_apart(Paths{folder / "a", folder / "b", {}, {}}));
+  EXPECT_NO_THROW(require_apart(Paths{"/dev/null", "/dev/null"}));
+  EXPECT_THROW(require_apart(Paths{folder / "a", folder / "b", folder / "a"}), InputError);
+  EXPECT_THROW(require_apart(Paths{folder / "a", folder.path() / "x" / ".." / "a"}), InputError);
+}
+
 TEST(RequireNotRead, KnowsAFileByEveryName) {
   const TemporaryFolder folder;
   write_file(folder / "in", std::string_view("x"));
@@ -116,6 +125,8 @@ TEST(RequireNotRead, KnowsAFileByEveryName) {
     fs::create_directories(folder / "x");
     EXPECT_THROW(require_not_read(same, inputs), InputError) << same;
   }
+  // Through a folder that writing would make.
+  EXPECT_THROW(require_not_read(folder.path() / "new" / ".." / "in", inputs), InputError);
   EXPECT_NO_THROW(require_not_read(folder / "other", inputs));
   EXPECT_NO_THROW(require_not_read(folder / "missing", inputs));
   EXPECT_NO_THROW(require_not_read(folder / "in", {}));

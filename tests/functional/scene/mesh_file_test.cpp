@@ -235,6 +235,8 @@ TEST_F(MeshFile, Errors) {
   EXPECT_NE(error(empty), "");
   const auto points = write("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
   EXPECT_NE(error(points), "");
+  const auto faces = write("faces.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  EXPECT_NE(error(faces).find("face 1: is missing; expected "), std::string::npos) << error(faces);
   const auto index = write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
   EXPECT_NE(error(index), "");
 }

@@ -179,7 +179,8 @@ TEST_F(SceneFile, MistakesInTheFileHaveTheirLine) {
 }
 
 TEST_F(SceneFile, MissingScenesAreNamed) {
-  EXPECT_EQ(error("/nowhere/a.toml"), "/nowhere/a.toml: cannot be read; expected a scene file");
+  EXPECT_EQ(error("/nowhere/a.toml"),
+            "/nowhere/a.toml: No such file or directory; expected a readable file");
   EXPECT_EQ(error("no-such-scene").substr(0, 42), "no-such-scene: no such scene; expected big");
 }
 

@@ -41,5 +41,17 @@ TEST(Traffic, SinglePassHasNoStencil) {
   EXPECT_EQ(counters.all_bytes.value(), 260u + 2 * 164u + 1000u);
 }
 
+TEST(Traffic, TakesWordsAtTheirWidths) {
+  EXPECT_EQ(bytes_of_bits(8), 1u);
+  EXPECT_EQ(bytes_of_bits(9), 2u);
+  EXPECT_EQ(bytes_of_bits(16), 2u);
+  EXPECT_EQ(bytes_of_bits(17), 4u);
+  EXPECT_EQ(bytes_of_bits(48), 8u);
+  Counters counters;
+  set_counted(counters, 30);
+  finish_traffic(counters, Mode::three_pass, traces::fb::DepthFormat_unorm24, 64, 7, {8, 2});
+  EXPECT_EQ(counters.all_bytes.value(), 520u + 8 * 118u + 2 * 188u + 1000u);
+}
+
 }  // namespace
 }  // namespace wedgesim::model
