@@ -258,6 +258,7 @@ Json cycles_json(const CyclesReport& report) {
   for (const Counter* counter : report.counters().counters()) {
     counters[std::string(counter->name())] = counter->value();
   }
+  const auto& first = report.frame->datapath().first_overflow();
   return {{"schema", "wedgesim.cycles/1"},
           {"trace", to_json(report.trace)},
           {"configuration", configuration_json(report.config)},
@@ -273,6 +274,7 @@ Json cycles_json(const CyclesReport& report) {
             {"max_error", report.pixels.max_error},
             {"mismatched", report.pixels.mismatched},
             {"tolerance", report.pixels.tolerance}}},
+          {"first_overflow", first ? Json(*first) : Json()},
           {"energy_picojoules", energy_json(report)},
           {"timing", {{"value_seconds", report.value_seconds}, {"seconds", report.seconds}}}};
 }
@@ -330,6 +332,11 @@ std::string cycles_text(const CyclesReport& report) {
         "{:.2f}\n",
         report.energy->total() / 1e6, report.energy->datapath / 1e6, report.energy->cache / 1e6,
         report.energy->dram_bytes / 1e6, report.energy->dram_activates / 1e6);
+  }
+  if (const auto& first = report.frame->datapath().first_overflow()) {
+    text += fmt::format("OVERFLOW: {} pixels, first {},{}\n",
+                        grouped(report.counters().li_overflow_pixels.value()), (*first)[0],
+                        (*first)[1]);
   }
   return text + fmt::format("pixels: {} compared; max error {:.2g}, {} mismatched\n",
                             grouped(report.pixels.compared), report.pixels.max_error,

@@ -333,6 +333,10 @@ void TileDatapath::finish() {
     counters_.li_writes_floor += true_li_[i] != formats_.li.one() ? 1 : 0;
     const bool bad = !formats_.li.holds(true_li_[i]) || (three && !stencil.holds(true_stencil_[i]));
     counters_.li_overflow_pixels += bad ? 1 : 0;
+    if (bad && !first_overflow_) {
+      const auto pixel = static_cast<int>(i);
+      first_overflow_ = {pixel % depth_.width(), pixel / depth_.width()};
+    }
   }
   finish_traffic(counters_, config_.mode, trace_.header.depth_format, pixels,
                  counters_.merge_writes.value(),

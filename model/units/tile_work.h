@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/count/config.h"
@@ -64,6 +66,8 @@ class TileDatapath {
   /// (height, width) words, wrapped as the buffer holds them.
   const std::vector<std::int32_t>& li() const { return li_; }
   bool z_fail() const { return z_fail_; }
+  /// x, y of the first pixel, by rows, whose true LI or stencil sum is out of range.
+  const std::optional<std::array<int, 2>>& first_overflow() const { return first_overflow_; }
 
  private:
   struct Tests {
@@ -95,6 +99,7 @@ class TileDatapath {
   std::vector<std::int32_t> true_stencil_;  // the same
   std::vector<bool> z_touched_, li_touched_, inside_;
   std::vector<std::uint32_t> contributions_;
+  std::optional<std::array<int, 2>> first_overflow_;
   std::vector<bool> tiles_read_;
   const SetupPrimitive* primitive_ = nullptr;
   Pass pass_ = Pass::single;

@@ -55,6 +55,7 @@ void expect_equal(const traces::TraceView& trace, const std::vector<CountConfig>
     for (std::size_t i = 0; i < expected.li.size(); ++i) {
       wrong += li.wrap(expected.li[i]) == block.li()[i] ? 0 : 1;
     }
+    EXPECT_EQ(block.first_overflow(), expected.first_overflow) << label(expected.config);
     EXPECT_EQ(wrong, 0U) << "LI words: " << label(expected.config);
     if (testing::Test::HasFailure()) return;
   }
