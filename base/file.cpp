@@ -100,13 +100,19 @@ void write_atomically(const fs::path& path,
   }
 }
 
-void write_file(const fs::path& path, std::span<const std::byte> bytes) {
+void write_stream(const fs::path& path, const std::function<void(std::ostream& out)>& write) {
   write_atomically(path, [&](const fs::path& temporary) {
     std::ofstream out(temporary, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes.data()),
-              static_cast<std::streamsize>(bytes.size()));
+    write(out);
     out.close();
     if (!out) throw InputError(path.string(), "cannot be written", "a writable file with room");
+  });
+}
+
+void write_file(const fs::path& path, std::span<const std::byte> bytes) {
+  write_stream(path, [&](std::ostream& out) {
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
   });
 }
 

@@ -4,14 +4,12 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/file.h"
-#include "base/toml_table.h"
 #include "cli/command.h"
 #include "cli/parse.h"
 #include "cli/print.h"
@@ -31,11 +29,7 @@ struct Arguments {
 
 std::optional<model::memory::EnergyTable> energy_of(const Arguments& arguments) {
   if (arguments.energy.empty()) return {};
-  const MappedFile mapped(arguments.energy);
-  const auto bytes = mapped.bytes();
-  const toml::table root =
-      parse_toml({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, arguments.energy);
-  return model::memory::read_energy(TomlTable(root, arguments.energy));
+  return model::memory::read_energy(std::filesystem::path(arguments.energy));
 }
 
 reports::CyclesReport run_block(const Arguments& arguments, const traces::TraceView& trace,
@@ -60,15 +54,10 @@ reports::CyclesReport run_block(const Arguments& arguments, const traces::TraceV
   trace_options.memory_mhz = config.memory.dram.clock_mhz;
   trace_options.trace = fmt::format("{:016x}", trace.header.checksum);
   std::optional<reports::CyclesReport> report;
-  write_atomically(arguments.memory_trace, [&](const std::filesystem::path& temporary) {
-    std::ofstream out(temporary, std::ios::binary);
+  write_stream(arguments.memory_trace, [&](std::ostream& out) {
     reports::MemoryTraceWriter writer(out, trace_options);
     options.listener = [&writer](const auto& record) { writer.write(record); };
     report = reports::run_cycles(trace, config, options, table);
-    out.close();
-    if (!out) {
-      throw InputError(arguments.memory_trace, "cannot be written", "a writable file with room");
-    }
   });
   return *report;
 }
@@ -79,17 +68,6 @@ reports::Timeline timeline_of(const Arguments& arguments) {
   const auto [from, to] = parse_point("--window", arguments.window);
   if (from >= to) throw InputError("--window", arguments.window, "FROM,TO with FROM below TO");
   return {static_cast<std::uint64_t>(from), static_cast<std::uint64_t>(to)};
-}
-
-void write_timeline(const std::string& file, const reports::Timeline& timeline,
-                    void (reports::Timeline::*write)(std::ostream& out) const) {
-  if (file.empty()) return;
-  write_atomically(file, [&](const std::filesystem::path& temporary) {
-    std::ofstream out(temporary, std::ios::binary);
-    (timeline.*write)(out);
-    out.close();
-    if (!out) throw InputError(file, "cannot be written", "a writable file with room");
-  });
 }
 
 int run(const Arguments& arguments) {
@@ -119,8 +97,12 @@ int run(const Arguments& arguments) {
   const bool listens = !arguments.timeline.empty() || !arguments.vcd.empty();
   const reports::CyclesReport report =
       run_block(arguments, trace.view(), config, listens ? &timeline : nullptr);
-  write_timeline(arguments.timeline, timeline, &reports::Timeline::write_chrome);
-  write_timeline(arguments.vcd, timeline, &reports::Timeline::write_vcd);
+  if (!arguments.timeline.empty()) {
+    write_stream(arguments.timeline, [&](std::ostream& out) { timeline.write_chrome(out); });
+  }
+  if (!arguments.vcd.empty()) {
+    write_stream(arguments.vcd, [&](std::ostream& out) { timeline.write_vcd(out); });
+  }
   if (!arguments.json.empty()) reports::write_json(arguments.json, reports::cycles_json(report));
   const std::string maps =
       arguments.maps.empty() ? "" : reports::write_tile_maps(arguments.maps, report);

@@ -1,7 +1,6 @@
 #include "traces/dump.h"
 
 #include <array>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -24,12 +23,7 @@ int run(const Arguments& arguments) {
     return 0;
   }
   require_not_read(arguments.obj, std::array{std::filesystem::path(arguments.file)});
-  write_atomically(arguments.obj, [&](const std::filesystem::path& temporary) {
-    std::ofstream out(temporary);
-    traces::dump_obj(out, trace.view());
-    out.close();
-    if (!out) throw InputError(arguments.obj, "cannot be written", "a writable file with room");
-  });
+  write_stream(arguments.obj, [&](std::ostream& out) { traces::dump_obj(out, trace.view()); });
   return 0;
 }
 

@@ -20,19 +20,16 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The words that the datapath reads and writes, at the widths of the layout.
+// all_bytes, without what builds zmin and zmax: the block finds them built.
 std::uint64_t datapath_bytes(const model::Counters& c, const model::memory::LayoutConfig& layout) {
-  const auto z = static_cast<std::uint64_t>(layout.z_bytes);
-  const auto li = static_cast<std::uint64_t>(layout.li_bytes);
-  const auto stencil = static_cast<std::uint64_t>(layout.stencil_bytes);
-  const std::uint64_t pixels =
-      static_cast<std::uint64_t>(layout.width) * static_cast<std::uint64_t>(layout.height);
-  const bool three_pass = c.clear_writes.value() > pixels;
-  const std::uint64_t merged = c.merge_writes.value();
-  return z * (c.z_reads.value() + c.tile_reads.value()) +
-         li * (2 * c.li_reads.value() + 2 * merged + pixels) +
-         stencil * (2 * c.stencil_writes.value() + (three_pass ? 2 * pixels : 0)) +
-         c.wedge_bytes.value();
+  return c.all_bytes.value() -
+         static_cast<std::uint64_t>(layout.z_bytes) * c.tile_build_reads.value();
+}
+
+// Depth read once, LI read and written once, where no design can do without.
+std::uint64_t floor_bytes(const model::Counters& c, const model::memory::LayoutConfig& layout) {
+  return static_cast<std::uint64_t>(layout.z_bytes) * c.z_reads_floor.value() +
+         2 * static_cast<std::uint64_t>(layout.li_bytes) * c.li_writes_floor.value();
 }
 
 model::PixelCheck check_pixels(const traces::TraceView& trace, const model::RecordedFrame& frame,
@@ -96,11 +93,6 @@ double percent(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-std::uint64_t floor_bytes(const CyclesReport& report) {
-  const model::Counters& c = report.counters();
-  return 4 * c.z_reads_floor.value() + 2 * 2 * c.li_writes_floor.value();
-}
-
 Json configuration_json(const model::BlockConfig& config) {
   model::BlockConfig values = config;
   const model::CountConfig& r = config.rasterizer;
@@ -119,9 +111,7 @@ Json configuration_json(const model::BlockConfig& config) {
       json["memory"]["dram"][std::string(key.key)] = config.memory.dram.*key.value;
     }
   }
-  for (const model::datapath::Width& width : model::datapath::kWidths) {
-    json["formats"][std::string(width.key)] = width.of(values.formats);
-  }
+  json["formats"] = to_json(config.formats);
   return json;
 }
 
@@ -162,6 +152,7 @@ Json memory_json(const CyclesReport& report) {
   for (const model::Statistic& statistic : result.memory) memory[statistic.name] = statistic.value;
   return {{"datapath_bytes", report.datapath_bytes},
           {"line_bytes", result.port_bytes()},
+          {"floor_bytes", report.floor_bytes},
           {"peak_bytes_per_cycle", result.peak_bytes_per_cycle},
           {"busiest_bytes_per_cycle", report.peak_bytes_per_cycle},
           {"caches", caches},
@@ -190,7 +181,7 @@ std::string row_of_rates(const CyclesReport& report) {
       1.0 / seconds, bytes / seconds / 1e9, report.config.clock_mhz,
       report.peak_bytes_per_cycle * report.config.clock_mhz / 1e3, PortProfile::kWindowCycles,
       report.result.peak_bytes_per_cycle * report.config.clock_mhz / 1e3,
-      bytes / static_cast<double>(std::max<std::uint64_t>(floor_bytes(report), 1)));
+      bytes / static_cast<double>(std::max<std::uint64_t>(report.floor_bytes, 1)));
 }
 
 }  // namespace
@@ -218,6 +209,7 @@ CyclesReport run_cycles(const traces::TraceView& trace, const model::BlockConfig
   report.frame = frame.walk;
   report.pixels = check_pixels(trace, frame, config);
   report.datapath_bytes = datapath_bytes(frame.counters(), frame.layout);
+  report.floor_bytes = floor_bytes(frame.counters(), frame.layout);
   report.peak_bytes_per_cycle = profile.peak_bytes_per_cycle();
   report.tile_bytes = profile.tile_bytes();
   report.tile_cycles = tile_cycles_of(frame, config.penumbra.lanes, tiles);

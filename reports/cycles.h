@@ -21,6 +21,7 @@ struct CyclesReport {
   model::BlockResult result;
   model::PixelCheck pixels;
   std::uint64_t datapath_bytes = 0;   // counted words at their widths: what no cache saves
+  std::uint64_t floor_bytes = 0;      // that every design must move: both floors of the frame
   double peak_bytes_per_cycle = 0.0;  // at the port, over PortProfile::kWindowCycles
   std::vector<std::uint64_t> tile_bytes, tile_cycles;  // (tiles down, tiles across)
   std::optional<model::memory::Energy> energy;

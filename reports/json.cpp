@@ -41,12 +41,7 @@ Json pixels_json(const model::PixelCheck& pixels) {
 
 // Only those of the fixed datapath may be chosen.
 void add_formats(Json& configuration, const model::Datapath& datapath) {
-  if (datapath.kind != model::LiFormat::fixed) return;
-  model::datapath::Formats formats = datapath.formats;
-  Json& json = configuration["formats"];
-  for (const auto& width : model::datapath::kWidths) {
-    json[std::string(width.key)] = width.of(formats);
-  }
+  if (datapath.kind == model::LiFormat::fixed) configuration["formats"] = to_json(datapath.formats);
 }
 
 // The distinct values of one option.
@@ -65,6 +60,14 @@ Json values_of(const std::vector<CountConfig>& configs, Value value) {
 TraceInfo info_of(const traces::TraceView& trace) {
   return {trace.header.name, trace.header.checksum, trace.header.width, trace.header.height,
           trace.wedges.size()};
+}
+
+Json to_json(model::datapath::Formats formats) {
+  Json json = Json::object();
+  for (const auto& width : model::datapath::kWidths) {
+    json[std::string(width.key)] = width.of(formats);
+  }
+  return json;
 }
 
 Json to_json(const TraceInfo& trace) {

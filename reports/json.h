@@ -23,6 +23,8 @@ struct TraceInfo {
 };
 TraceInfo info_of(const traces::TraceView& trace);
 
+/// Every width by its key.
+Json to_json(model::datapath::Formats formats);
 Json to_json(const TraceInfo& trace);
 /// One element of "configs". Nothing in it varies between identical runs but "timing".
 Json to_json(const model::CountResult& result, const model::Datapath& datapath);

@@ -36,8 +36,7 @@ std::string read_text(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error)) {
     throw InputError(path.string(), "is a folder", "a scene file");
   }
-  const MappedFile file(path);
-  return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
+  return std::string(MappedFile(path).text());
 }
 
 Source find_source(const std::string& name_or_file) {

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "base/check.h"
-#include "base/error.h"
 #include "model/block/scoped_simulation.h"
 #include "model/count/traffic.h"
 #include "model/memory/dram.h"
@@ -217,17 +216,6 @@ class Block {
   units::LiUpdate li_update_;
 };
 
-bool uses_z_fail(const traces::TraceView& trace, ZChoice choice) {
-  if (choice == ZChoice::pass && trace.header.z_fail_needed) {
-    throw InputError("z = pass", "the eye's near pyramid meets a shadow volume", "fail or auto");
-  }
-  return choice == ZChoice::fail || (choice == ZChoice::automatic && trace.header.z_fail_needed);
-}
-
-int z_bytes(traces::fb::DepthFormat format) {
-  return format == traces::fb::DepthFormat_unorm16 ? 2 : 4;
-}
-
 }  // namespace
 
 const UnitResult& BlockResult::bottleneck() const {
@@ -246,7 +234,7 @@ std::uint64_t BlockResult::port_bytes() const {
 RecordedFrame record_frame(const traces::TraceView& trace, const BlockConfig& config) {
   RecordedFrame frame;
   frame.rasterizer = config.rasterizer;
-  frame.z_fail = uses_z_fail(trace, config.rasterizer.z);
+  frame.z_fail = uses_z_fail(config.rasterizer.z, trace.header.z_fail_needed);
   const auto walk =
       std::make_shared<units::FrameWalk>(trace, config.rasterizer, frame.z_fail, config.formats);
   while (auto work = walk->next()) frame.work.push_back(std::move(work));
@@ -255,7 +243,7 @@ RecordedFrame record_frame(const traces::TraceView& trace, const BlockConfig& co
   layout.width = static_cast<int>(trace.header.width);
   layout.height = static_cast<int>(trace.header.height);
   layout.tile = static_cast<int>(config.rasterizer.tile);
-  layout.z_bytes = z_bytes(trace.header.depth_format);
+  layout.z_bytes = static_cast<int>(depth_bytes(trace.header.depth_format));
   layout.li_bytes = static_cast<int>(bytes_of_bits(config.formats.li.bits()));
   layout.stencil_bytes = static_cast<int>(bytes_of_bits(config.formats.stencil_bits));
   layout.wedge_bytes = walk->record_bytes();

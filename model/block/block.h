@@ -29,7 +29,7 @@ struct RecordedFrame {
   std::shared_ptr<const units::FrameWalk> walk;  // its counters and LI words
 
   const Counters& counters() const { return walk->datapath().counters(); }
-  const std::vector<std::int32_t>& li() const { return walk->datapath().li(); }
+  const std::vector<std::int64_t>& li() const { return walk->datapath().li(); }
 };
 
 /// \param trace  sound; outlives the result

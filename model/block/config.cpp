@@ -147,12 +147,7 @@ BlockConfig parse_block(std::string_view text, const std::string& file) {
     read_section(root, section, complete, config);
   }
   if (complete || root.has("formats")) {
-    const TomlTable formats = root.table("formats");
-    for (const datapath::Width& width : datapath::kWidths) {
-      int& value = width.of(config.formats);
-      value = formats.integer(width.key, fallback(complete, value), width.low, width.high);
-    }
-    formats.reject_unknown();
+    datapath::read_formats(root.table("formats"), complete, config.formats);
   }
   root.reject_unknown();
   check_cache(root, "tile_cull", "cache_", config.tile_cull.cache);
@@ -168,8 +163,7 @@ BlockConfig read_block(const std::string& name_or_file) {
     return preset(name_or_file, "--config");
   }
   const MappedFile mapped(path);
-  const auto bytes = mapped.bytes();
-  return parse_block({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name_or_file);
+  return parse_block(mapped.text(), name_or_file);
 }
 
 std::string to_toml(const BlockConfig& config) {

@@ -41,6 +41,13 @@ unsigned parse_tile(std::string_view option, std::string_view text) {
   return tile;
 }
 
+bool uses_z_fail(ZChoice choice, bool needed) {
+  if (choice == ZChoice::pass && needed) {
+    throw InputError("--z pass", "the eye's near pyramid meets a shadow volume", "fail or auto");
+  }
+  return choice == ZChoice::fail || (choice == ZChoice::automatic && needed);
+}
+
 void check(const CountConfig& config) {
   if (!is_tile(config.tile)) refuse_tile("--tile", std::to_string(config.tile));
 }

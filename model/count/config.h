@@ -87,6 +87,11 @@ struct CountConfig {
   bool operator==(const CountConfig&) const = default;
 };
 
+/// Does a choice come to z-fail?
+/// \param needed  the eye is in a shadow volume, so that z-pass would be wrong
+/// \throws InputError if z-pass is asked for where z-fail is needed
+bool uses_z_fail(ZChoice choice, bool needed);
+
 /// \throws InputError if the tile edge is not one of those allowed
 void check(const CountConfig& config);
 

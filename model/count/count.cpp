@@ -275,14 +275,7 @@ std::vector<CountResult> count_batch(const TraceView& trace, ZMethod method,
 }  // namespace
 
 ZMethod resolve_z(const TraceView& trace, ZChoice choice) {
-  if (choice == ZChoice::fail) return ZMethod::fail;
-  if (choice == ZChoice::automatic) {
-    return trace.header.z_fail_needed ? ZMethod::fail : ZMethod::pass;
-  }
-  if (trace.header.z_fail_needed) {
-    throw InputError("--z pass", "the eye's near pyramid meets a shadow volume", "fail or auto");
-  }
-  return ZMethod::pass;
+  return uses_z_fail(choice, trace.header.z_fail_needed) ? ZMethod::fail : ZMethod::pass;
 }
 
 std::vector<CountResult> count(const TraceView& trace, std::span<const CountConfig> configs,

@@ -31,7 +31,7 @@ struct DiscSetup {
 /// and the edge passes the centre at H radii, H^2 = distance^2 normal^2 / (normal^2 + beyond^2),
 /// and within that plane the edge's ends are at angles from the centre whose tangents come from
 /// linear forms alone: nothing that is small is the difference of what is large.
-/// Cost: 9 products c * z, 31 multiplies, 8 divisions, 3 roots.
+/// Cost: 9 products c * z, 31 multiplies, 7 divisions, 3 roots.
 /// Accuracy: with 18 bits within 2e-5 of the exact value (setup_test.cpp).
 double coverage(const DiscSetup& setup, const Place& at, Rounder round);
 

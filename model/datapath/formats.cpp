@@ -2,25 +2,27 @@
 
 #include <toml++/toml.h>
 
-#include <string>
+#include <optional>
 
 #include "base/file.h"
 #include "base/toml_table.h"
 
 namespace wedgesim::model::datapath {
 
-Formats read_formats(const std::filesystem::path& file) {
-  const MappedFile mapped(file);
-  const auto bytes = mapped.bytes();
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const toml::table root = parse_toml(text, file.string());
-  const TomlTable table(root, file.string());
-  Formats formats;
+void read_formats(const TomlTable& table, bool complete, Formats& formats) {
   for (const Width& width : kWidths) {
     int& value = width.of(formats);
-    value = table.integer(width.key, value, width.low, width.high);
+    const std::optional<int> fallback = complete ? std::nullopt : std::optional<int>(value);
+    value = table.integer(width.key, fallback, width.low, width.high);
   }
   table.reject_unknown();
+}
+
+Formats read_formats(const std::filesystem::path& file) {
+  const MappedFile mapped(file);
+  const toml::table root = parse_toml(mapped.text(), file.string());
+  Formats formats;
+  read_formats(TomlTable(root, file.string()), false, formats);
   return formats;
 }
 

@@ -7,6 +7,10 @@
 #include "model/datapath/li_word.h"
 #include "model/datapath/rounder.h"
 
+namespace wedgesim {
+class TomlTable;
+}
+
 namespace wedgesim::model::datapath {
 
 /// The widths of the fixed datapath that may be chosen.
@@ -47,6 +51,11 @@ inline constexpr std::array kWidths{
           "what graphics hardware has"},
 };
 // clang-format on
+
+/// Sets the formats that a table holds, and rejects other keys.
+/// \param complete  every key must be there
+/// \throws InputError naming file, line and key
+void read_formats(const TomlTable& table, bool complete, Formats& formats);
 
 /// The default formats with the keys of kWidths that a TOML file sets.
 /// \throws InputError naming file, line and key

@@ -19,10 +19,9 @@ struct LinearSetup {
 /// The light intensity of a `linear` wedge at a point inside: 1 at the front plane, 0 at the back
 /// plane; 0.5 where the wedge has no thickness or no length.
 /// \return      [0, 1]
-/// Source: Papers I and II, Eqs. 1-3, over one denominator: 4 products c * z, 13 multiplies, one
+/// Source: Papers I and II, Eqs. 1-3, over one denominator: 4 products c * z, 12 multiplies, one
 /// division; inside the wedge only terms of one sign are added, so nothing cancels.
-/// Accuracy: 24 roundings, with 18 bits within 2e-5 of the exact value
-/// (setup_test.cpp).
+/// Accuracy: with 18 bits within 2e-5 of the exact value (setup_test.cpp).
 double intensity(const LinearSetup& setup, const Place& at, Rounder round);
 
 }  // namespace wedgesim::model::datapath

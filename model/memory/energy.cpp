@@ -1,5 +1,7 @@
 #include "model/memory/energy.h"
 
+#include "base/file.h"
+
 namespace wedgesim::model::memory {
 
 EnergyTable read_energy(const TomlTable& table) {
@@ -13,6 +15,12 @@ EnergyTable read_energy(const TomlTable& table) {
   energy.dram_activate_pj = picojoules("dram_activate_pj");
   table.reject_unknown();
   return energy;
+}
+
+EnergyTable read_energy(const std::filesystem::path& file) {
+  const MappedFile mapped(file);
+  const toml::table root = parse_toml(mapped.text(), file.string());
+  return read_energy(TomlTable(root, file.string()));
 }
 
 Energy energy_of(const EnergyTable& table, const EnergyCounts& counts) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 
 #include "base/toml_table.h"
 
@@ -31,6 +32,9 @@ struct Energy {
 /// Reads the four keys of EnergyTable, each a number from 0 to 1,000,000.
 /// \throws InputError naming file, line and key if one is missing, unknown or out of range
 EnergyTable read_energy(const TomlTable& table);
+
+/// The same from a TOML file.
+EnergyTable read_energy(const std::filesystem::path& file);
 
 Energy energy_of(const EnergyTable& table, const EnergyCounts& counts);
 

@@ -9,7 +9,6 @@ namespace wedgesim::model::units {
 FrameWalk::FrameWalk(const traces::TraceView& trace, const CountConfig& config, bool z_fail,
                      const datapath::Formats& formats)
     : trace_(trace),
-      config_(config),
       setup_(trace, z_fail, formats),
       datapath_(trace, config, z_fail, formats),
       lone_(setup_.lone_umbras()) {

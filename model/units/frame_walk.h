@@ -54,7 +54,6 @@ class FrameWalk {
   std::shared_ptr<PrimitiveWork> merge();
 
   const traces::TraceView& trace_;
-  const CountConfig config_;
   PrimitiveSetup setup_;
   TileDatapath datapath_;
   std::vector<std::uint32_t> lone_;

@@ -50,7 +50,7 @@ TileDatapath::TileDatapath(const traces::TraceView& trace, const CountConfig& co
       formats_(formats),
       round_(formats.round()),
       depth_(trace, static_cast<int>(config.tile)),
-      li_(trace.depth.size(), static_cast<std::int32_t>(formats.li.one())),
+      li_(trace.depth.size(), formats.li.one()),
       stencil_(config.mode == Mode::three_pass ? trace.depth.size() : 0),
       true_li_(trace.depth.size(), formats.li.one()),
       true_stencil_(stencil_.size()),
@@ -98,7 +98,8 @@ void TileDatapath::cover(const PixelBox& tile) {
         any |= face_sets_.back();
       }
       // The penumbra pass needs it for the sign of a coverage.
-      const std::uint64_t umbra = primitive_->umbra ? covered(primitive_->umbra->polygon, part) : 0;
+      const bool needs_umbra = primitive_->umbra && (umbra_active() || primitive_->coverage);
+      const std::uint64_t umbra = needs_umbra ? covered(primitive_->umbra->polygon, part) : 0;
       if (umbra_active()) any |= umbra;
       if (any == 0) {
         face_sets_.resize(face_sets_.size() - primitive_->faces.size());
@@ -289,7 +290,7 @@ void TileDatapath::write(int x, int y, std::int64_t li_words, int step) {
     li_words += step * formats_.li.one();
   }
   true_li_[i] += li_words;
-  li_[i] = static_cast<std::int32_t>(formats_.li.wrap(li_[i] + li_words));
+  li_[i] = formats_.li.wrap(li_[i] + li_words);
 }
 
 bool TileDatapath::merge(int bx, int by) {
@@ -300,8 +301,7 @@ bool TileDatapath::merge(int bx, int by) {
       if (stencil_[i] == 0) continue;
       any = true;
       counters_.merge_writes += 1;
-      li_[i] =
-          static_cast<std::int32_t>(formats_.li.wrap(li_[i] + stencil_[i] * formats_.li.one()));
+      li_[i] = formats_.li.wrap(li_[i] + stencil_[i] * formats_.li.one());
     }
   }
   return any;

@@ -64,7 +64,7 @@ class TileDatapath {
   const FrameDepth& depth() const { return depth_; }
   const Counters& counters() const { return counters_; }
   /// (height, width) words, wrapped as the buffer holds them.
-  const std::vector<std::int32_t>& li() const { return li_; }
+  const std::vector<std::int64_t>& li() const { return li_; }
   bool z_fail() const { return z_fail_; }
   /// x, y of the first pixel, by rows, whose true LI or stencil sum is out of range.
   const std::optional<std::array<int, 2>>& first_overflow() const { return first_overflow_; }
@@ -93,7 +93,7 @@ class TileDatapath {
   const datapath::Rounder round_;
   FrameDepth depth_;
   Counters counters_;
-  std::vector<std::int32_t> li_;
+  std::vector<std::int64_t> li_;
   std::vector<std::int32_t> stencil_;
   std::vector<std::int64_t> true_li_;       // sums that do not wrap, to know an overflow
   std::vector<std::int32_t> true_stencil_;  // the same

@@ -5,23 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include "functional/methods/frame.h"
-#include "functional/scene/scene_file.h"
 #include "model/block/block.h"
+#include "tests/support/render.h"
 
 namespace wedgesim::model::test {
 
 /// A small frame of a built-in scene.
 inline traces::Trace render(const std::string& scene, traces::fb::WedgeKind kind,
                             std::pair<int, int> size = {96, 64}) {
-  functional::SceneOptions scene_options;
-  scene_options.size = size;
-  std::vector<std::string> notes;
-  functional::FrameOptions options;
-  options.kind = kind;
-  options.expected_li = false;
-  return functional::make_frame(functional::load_scene(scene, scene_options, &notes), options)
-      .trace;
+  return wedgesim::test::render(scene, kind, size);
 }
 
 /// A frame of 16x16 pixels in tiles of 8 that does what a test says, without a trace.

@@ -9,11 +9,10 @@
 #include <iostream>
 #include <random>
 
-#include "functional/methods/frame.h"
-#include "functional/scene/scene_file.h"
 #include "model/count/primitive.h"
 #include "model/count/z_frame.h"
 #include "tests/model/datapath/one_point.h"
+#include "tests/support/render.h"
 
 namespace wedgesim::model::datapath {
 namespace {
@@ -65,15 +64,7 @@ Errors errors_of(const traces::TraceView& trace, const Formats& formats) {
 
 traces::Trace render(const std::string& scene, traces::fb::WedgeKind kind,
                      functional::LightShape light) {
-  functional::SceneOptions scene_options;
-  scene_options.size = {240, 160};
-  scene_options.light_shape = light;
-  std::vector<std::string> notes;
-  functional::FrameOptions options;
-  options.kind = kind;
-  options.expected_li = false;
-  return functional::make_frame(functional::load_scene(scene, scene_options, &notes), options)
-      .trace;
+  return wedgesim::test::render(scene, kind, {240, 160}, light);
 }
 
 TEST(Contribution, IsWithinItsStatedErrorOnScenes) {

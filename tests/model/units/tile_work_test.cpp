@@ -4,25 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include "functional/methods/frame.h"
-#include "functional/scene/scene_file.h"
 #include "model/count/count.h"
 #include "model/units/frame_walk.h"
+#include "tests/support/render.h"
 
 namespace wedgesim::model::units {
 namespace {
 
 traces::Trace render(const std::string& scene, traces::fb::WedgeKind kind,
                      functional::LightShape light) {
-  functional::SceneOptions scene_options;
-  scene_options.size = {150, 100};
-  scene_options.light_shape = light;
-  std::vector<std::string> notes;
-  functional::FrameOptions options;
-  options.kind = kind;
-  options.expected_li = false;
-  return functional::make_frame(functional::load_scene(scene, scene_options, &notes), options)
-      .trace;
+  return wedgesim::test::render(scene, kind, {150, 100}, light);
 }
 
 std::string label(const CountConfig& config) {
@@ -35,9 +26,11 @@ std::string label(const CountConfig& config) {
   return text + " tile " + std::to_string(config.tile);
 }
 
-void expect_equal(const traces::TraceView& trace, const std::vector<CountConfig>& configs) {
+void expect_equal(const traces::TraceView& trace, const std::vector<CountConfig>& configs,
+                  const datapath::Formats& formats = {}) {
   CountOptions options;
   options.datapath = LiFormat::fixed;
+  options.datapath.formats = formats;
   options.maps = true;
   const std::vector<CountResult> counted = count(trace, configs, options);
   for (const CountResult& expected : counted) {
@@ -99,6 +92,19 @@ TEST(TileWork, EqualsTheCounterInEveryConfiguration) {
     const traces::Trace shadow = render("eye-in-shadow", kind, light);
     expect_equal(shadow.view(), all_configs(ZChoice::automatic));
     if (HasFailure()) return;
+  }
+}
+
+// An LI word of 48 bits, and one so narrow that it wraps.
+TEST(TileWork, EqualsTheCounterInWordsOfOtherWidths) {
+  const traces::Trace trace =
+      render("columns", traces::fb::WedgeKind_coverage, functional::LightShape::rectangle);
+  std::vector<CountConfig> configs(2);
+  configs[1].mode = Mode::three_pass;
+  for (const datapath::LiWord li : {datapath::LiWord{24, 24}, datapath::LiWord{2, 4}}) {
+    datapath::Formats formats;
+    formats.li = li;
+    expect_equal(trace.view(), configs, formats);
   }
 }
 
