@@ -22,7 +22,9 @@ struct FrameRow {
   Values parameters;           // frame, width, height, light_scale, kind, light, depth
   std::uint64_t checksum = 0;  // of the trace
   std::int64_t wedges = 0;
-  std::string failure;  // why there is no trace; its points then fail with the same message
+  std::string failure;   // why there is no trace; its points then fail with the same message
+  std::string pictures;  // scales of LABEL_z_reads, LABEL_li_writes, ...; empty without pictures
+  double seconds = 0.0;  // to render it: timing
 };
 
 enum class PointState { done, failed, crashed, overtime };
@@ -51,10 +53,14 @@ struct Plot {
 /// What a study file says; study_file.h reads it.
 struct StudyHead {
   std::string name, title, question;
-  std::string measure;
+  std::string measure;               // "count", "cycles", or "both"
   std::vector<std::string> axes;     // dotted keys that differ between points, in the file's order
+  std::vector<std::string> by;       // frame parameters, or "scene", that tables tell apart;
+                                     // over all other frames they show median and percentiles
   std::vector<std::string> metrics;  // that its tables show
   std::vector<Plot> plots;
+  bool modes_tables = false;  // Paper II's tables of both modes, scene by scene, in the summary
+  bool check_pixels = true;   // a pixel beyond its tolerance is a failure; else a result
 };
 
 /// A study's results, frames and points in the study's order.
@@ -62,11 +68,12 @@ struct Results {
   StudyHead study;
   std::vector<FrameRow> frames;
   std::vector<PointRow> points;
+  std::int64_t points_planned = 0;  // more than there are if the study is unfinished, or a shard
 };
 
 /// What is known of a metric.
 struct MetricInfo {
-  std::string_view name, unit, description;
+  std::string name, unit, description;
 };
 
 }  // namespace wedgesim::reports
