@@ -232,6 +232,9 @@ std::uint64_t BlockResult::port_bytes() const {
 }
 
 RecordedFrame record_frame(const traces::TraceView& trace, const BlockConfig& config) {
+  const traces::Header& header = trace.header;
+  datapath::require_form_bits(config.formats.form_bits, header.depth_format, header.width,
+                              header.height, config.name);
   RecordedFrame frame;
   frame.rasterizer = config.rasterizer;
   frame.z_fail = uses_z_fail(config.rasterizer.z, trace.header.z_fail_needed);

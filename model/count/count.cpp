@@ -280,6 +280,10 @@ ZMethod resolve_z(const TraceView& trace, ZChoice choice) {
 
 std::vector<CountResult> count(const TraceView& trace, std::span<const CountConfig> configs,
                                const CountOptions& options) {
+  if (options.datapath.kind == LiFormat::fixed) {
+    datapath::require_form_bits(options.datapath.formats.form_bits, trace.header.depth_format,
+                                trace.header.width, trace.header.height, "formats");
+  }
   std::map<ZMethod, std::vector<std::size_t>> by_method;
   for (std::size_t i = 0; i < configs.size(); ++i) {
     check(configs[i]);

@@ -1,8 +1,12 @@
 #include "model/datapath/form.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
+#include "base/error.h"
 #include "base/limits.h"
 #include "traces/depth.h"
 
@@ -33,6 +37,21 @@ std::int64_t ZSteps::first(double z) const {
 
 std::int64_t ZSteps::last(double z) const {
   return static_cast<std::int64_t>(std::floor(z * one_));
+}
+
+int least_form_bits(traces::fb::DepthFormat depth, unsigned width, unsigned height) {
+  const auto steps = static_cast<std::uint64_t>(ZSteps(depth).one());
+  return static_cast<int>(1 + std::bit_width(steps) + std::bit_width(std::max(width, height)));
+}
+
+void require_form_bits(int form_bits, traces::fb::DepthFormat depth, unsigned width,
+                       unsigned height, std::string_view place) {
+  const int least = least_form_bits(depth, width, height);
+  if (form_bits >= least) return;
+  throw InputError(place,
+                   fmt::format("'form_bits' is {}, too narrow for a frame of {}x{} with {} depth",
+                               form_bits, width, height, traces::fb::EnumNameDepthFormat(depth)),
+                   fmt::format("{} or more", least));
 }
 
 int common_exponent(std::span<const LinearForm> forms, int form_bits) {

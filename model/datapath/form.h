@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "model/datapath/rounder.h"
 #include "traces/trace_generated.h"
@@ -69,6 +70,16 @@ struct FixedForm {
   /// The value as a real.
   double at(const Place& place, Rounder round) const { return round(at(place), exponent); }
 };
+
+/// The fewest `form_bits` of a frame: a sign, and room for a step of depth and for a pixel in the
+/// largest form that changes by its bound across the frame. With fewer depth itself is lost; the
+/// pixel bars need more (docs/datapath.md).
+int least_form_bits(traces::fb::DepthFormat depth, unsigned width, unsigned height);
+
+/// \param place  where form_bits was chosen
+/// \throws InputError naming form_bits and what the frame needs
+void require_form_bits(int form_bits, traces::fb::DepthFormat depth, unsigned width,
+                       unsigned height, std::string_view place);
 
 /// The least exponent that all forms fit.
 int common_exponent(std::span<const LinearForm> forms, int form_bits);

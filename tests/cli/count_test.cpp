@@ -177,7 +177,7 @@ TEST_F(Count, FormatsChangeTheWidths) {
   };
   EXPECT_LT(rms("li_fraction_bits = 20\n"), 0.2 * rms("# the default\n"));
   // Too few bits are a failed check, not bad input.
-  write_text(file, "form_bits = 24\n");
+  write_text(file, "form_bits = 32\n");
   EXPECT_EQ(count({"--datapath", "fixed", "--formats", file.string()}).code, 1);
 }
 
@@ -191,6 +191,8 @@ TEST_F(Count, BadFormatsAreRefused) {
   expect_bad_input(fixed(), {"formats.toml", "form_bits", "62"});
   write_text(file, "form_bits = 23\n");
   expect_bad_input(fixed(), {"formats.toml", "form_bits", "24"});
+  write_text(file, "form_bits = 31\n");
+  expect_bad_input(fixed(), {"form_bits", "too narrow for a frame of 96x64", "32 or more"});
   write_text(file, "form_bits = 'many'\n");
   expect_bad_input(fixed(), {"formats.toml", "form_bits"});
   write_text(file, "form_bits = \n");

@@ -90,6 +90,10 @@ TEST_F(Cycles, BadInputIsRefused) {
   const std::size_t entries = folder.entries();
   const std::string out = (folder / "out").string();
   expect_bad_input(cycles({"--config", bad, "--json", out}), {"bad.toml:3", "'lanes'", "1"});
+  write_text(folder / "narrow.toml", "preset = \"small\"\n[formats]\nform_bits = 31\n");
+  expect_bad_input(cycles({"--config", (folder / "narrow.toml").string(), "--json", out}),
+                   {"narrow.toml", "'form_bits'", "too narrow", "32 or more"});
+  std::filesystem::remove(folder / "narrow.toml");
   expect_bad_input(cycles({"--config", "huge"}), {"huge", "paper2-single"});
   expect_bad_input(cycles({"--config", (folder / "no.toml").string()}), {"no.toml"});
   expect_bad_input(cycles({"--memory-trace", out, "--memory-trace-format", "vcd"}),

@@ -1,8 +1,12 @@
 // Does every configuration print as a file that reads as the same, and is each mistake named?
 #include "model/block/config.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "base/file.h"
 #include "model/block/config_keys.h"
 #include "tests/support/expect_input_error.h"
 
@@ -31,6 +35,37 @@ TEST(BlockConfig, EveryPresetReadsAsItPrints) {
   EXPECT_EQ(read_block("paper2-three").rasterizer.mode, Mode::three_pass);
   EXPECT_EQ(read_block("small").memory.kind, MemoryKind::dram);
   EXPECT_EQ(read_block("wide").penumbra.lanes, 16);
+}
+
+// What docs/ says of a key is what the tables say.
+TEST(BlockConfig, DocumentsHoldEveryKey) {
+  std::vector<std::pair<std::string, std::string>> rows;  // page, row
+  const auto range = [](int low, int high, bool power_of_two) {
+    return fmt::format("{} to {}{}", low, high == 1 << 26 ? "2^26" : std::to_string(high),
+                       power_of_two ? ", a power of two" : "");
+  };
+  BlockConfig config;
+  for (const BlockKey& key : kBlockKeys) {
+    if (key.section == "block") continue;  // no unit's
+    const std::string unit = key.section == "memory" ? "memory_port" : std::string(key.section);
+    rows.emplace_back("units/" + unit + ".md",
+                      fmt::format("| `{}` | {} | {} | {} |", key.key, key.of(config),
+                                  range(key.low, key.high, key.power_of_two), key.what));
+  }
+  for (const datapath::Width& width : datapath::kWidths) {
+    rows.emplace_back("datapath.md", fmt::format("| `{}` | {} | {} | {} | {} |", width.key,
+                                                 range(width.low, width.high, false),
+                                                 width.of(config.formats), width.what, width.why));
+  }
+  for (const memory::DramKey& key : memory::kDramKeys) {
+    rows.emplace_back("memory.md",
+                      fmt::format("| `{}` | {} | {} |", key.key,
+                                  range(key.low, key.high, key.power_of_two), key.what));
+  }
+  for (const auto& [page, row] : rows) {
+    const MappedFile text(std::filesystem::path(WEDGESIM_SOURCE_DIR) / "docs" / page);
+    EXPECT_TRUE(text.text().find(row) != std::string_view::npos) << page << " lacks " << row;
+  }
 }
 
 // Each number is set to another of its range, alone, and comes back.

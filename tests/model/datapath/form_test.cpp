@@ -7,6 +7,7 @@
 #include <random>
 
 #include "model/datapath/inside_test.h"
+#include "tests/support/expect_input_error.h"
 #include "traces/depth.h"
 
 namespace wedgesim::model::datapath {
@@ -33,6 +34,23 @@ TEST(ZSteps, KeepUnormWordsAndRoundFloats) {
   const ZSteps reversed(DepthFormat::DepthFormat_float32_reversed);
   EXPECT_EQ(reversed.of_word(traces::encode_depth(DepthFormat::DepthFormat_float32_reversed, 0.75)),
             3 << 24);
+}
+
+// One step of depth, and one pixel, changes the steepest form: with a bit less it does not.
+TEST(LeastFormBits, KeepAStepOfDepthAndAPixel) {
+  for (const DepthFormat depth :
+       {DepthFormat::DepthFormat_unorm16, DepthFormat::DepthFormat_unorm24}) {
+    const ZSteps steps(depth);
+    const int bits = least_form_bits(depth, 1 << 14, 100);
+    const LinearForm deep{0.0, 0.0, 0.999, 0.0};
+    EXPECT_NE(quantize_alone(deep, steps, bits).c, 0);
+    const LinearForm wide{1.9 / (1 << 14), 0.0, 0.0, 0.0};
+    EXPECT_NE(quantize_alone(wide, steps, bits).a, 0);
+    EXPECT_NO_THROW(require_form_bits(bits, depth, 1 << 14, 100, "here"));
+    EXPECT_NE(input_error_of([&] { require_form_bits(bits - 1, depth, 1 << 14, 100, "here"); }),
+              "");
+  }
+  EXPECT_EQ(least_form_bits(DepthFormat::DepthFormat_unorm24, 640, 427), 35);
 }
 
 TEST(ZSteps, AreInAnIntervalIffTheStoredDepthIs) {
