@@ -97,6 +97,7 @@ Json to_json(const model::CountResult& result, const model::Datapath& datapath) 
             {"all_bytes", result.counters->all_bytes.value()}}},
           {"pixels", pixels_json(result.pixels)},
           {"wrong_contributions", result.wrong_contributions},
+          {"needless_visits", result.needless_visits},
           {"first_overflow", result.first_overflow ? Json(*result.first_overflow) : Json()},
           {"timing", {{"seconds", result.seconds}}}};
 }

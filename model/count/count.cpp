@@ -75,7 +75,7 @@ class Traversal {
   void count_primitive(const Primitive& primitive, Worker& worker);
   void finish_config(const TileSize& size, std::size_t run, const FrameSummary& right,
                      CountResult& result);
-  std::vector<Correction> collect(const TileSize& size, std::size_t run, Counters& counters);
+  std::vector<Correction> collect(const TileSize& size, std::size_t run, CountResult& result);
   std::uint64_t build_reads(const ConfigRun& run) const;
   std::vector<std::uint32_t> by_rows(std::vector<std::uint32_t> map) const;
 
@@ -187,7 +187,7 @@ void Traversal::finish_config(const TileSize& size, std::size_t index, const Fra
   result.counters = std::make_unique<Counters>();
   Counters& counters = *result.counters;
   ConfigRun& run = *size.runs[index];
-  std::vector<Correction> corrections = collect(size, index, counters);
+  std::vector<Correction> corrections = collect(size, index, result);
   result.wrong_contributions = corrections.size();
   const bool wrong = !corrections.empty();
   const FinishedFrame finished(frame_, image_, options_.datapath, std::move(corrections));
@@ -218,7 +218,8 @@ void Traversal::finish_config(const TileSize& size, std::size_t index, const Fra
 }
 
 std::vector<Correction> Traversal::collect(const TileSize& size, std::size_t run,
-                                           Counters& counters) {
+                                           CountResult& result) {
+  Counters& counters = *result.counters;
   std::vector<Correction> corrections;
   const auto tally =
       static_cast<std::size_t>(std::distance(sizes_.begin(), sizes_.find(size.depths.tile())));
@@ -227,6 +228,7 @@ std::vector<Correction> Traversal::collect(const TileSize& size, std::size_t run
     for (std::size_t i = 0; i < counters.counters().size(); ++i) {
       *counters.counters()[i] += part.counters(run).counters()[i]->value();
     }
+    result.needless_visits += part.needless_visits();
     const auto& wrong = part.corrections(run);
     corrections.insert(corrections.end(), wrong.begin(), wrong.end());
   }

@@ -32,6 +32,9 @@ struct CountResult {
   /// Contributions that a wrong culling, acceptance or skipped test lost or gained: 0 in a right
   /// block.
   std::uint64_t wrong_contributions = 0;
+  /// Pairs of a penumbra face, or of an umbra polygon that is no cap, with a tile in which it
+  /// covers pixels but writes none: what a perfect culling would skip, whatever this one does.
+  std::uint64_t needless_visits = 0;
   std::optional<std::array<int, 2>> first_overflow;  // x, y of the first of li_overflow_pixels
   // Maps, (height, width); empty unless asked for.
   std::vector<std::uint32_t> z_reads;

@@ -60,19 +60,28 @@ void TileTally::count_tile(std::uint32_t tx, std::uint32_t ty) {
   tile_.index = tiles.index(tx, ty);
   const Box box = tiles.box(tx, ty);
   tile_.pixels = pixels_in(box);
-  for (const TilePart& part : parts_) {
-    for (std::size_t i = 0; i < primitive_->faces.size(); ++i) {
-      if ((footprint_->face(part.block, i) & part.bits) != 0) tile_.faces |= std::uint64_t{1} << i;
-    }
-    const std::uint64_t umbra = footprint_->umbra(part.block) & part.bits;
-    tile_.umbra = tile_.umbra || umbra != 0;
-    tile_.umbra_beyond_faces =
-        tile_.umbra_beyond_faces || (umbra & ~footprint_->outline(part.block)) != 0;
-  }
+  for (const TilePart& part : parts_) find_polygons(part);
+  needless_visits_ += bit_count(tile_.faces & ~tile_.needed_faces);
+  const bool cullable = tile_.umbra && !primitive_->polygon->cap;
+  if (cullable && !tile_.umbra_needed) needless_visits_ += 1;
   test_tile(box);
   part_sets_.clear();
   outcomes_.clear();
   for (std::size_t i = 0; i < runs_.size(); ++i) count_run(i);
+}
+
+void TileTally::find_polygons(const TilePart& part) {
+  const std::uint64_t inside = footprint_->inside(part.block);
+  for (std::size_t i = 0; i < primitive_->faces.size(); ++i) {
+    const std::uint64_t covered = footprint_->face(part.block, i) & part.bits;
+    if (covered != 0) tile_.faces |= std::uint64_t{1} << i;
+    if ((covered & inside) != 0) tile_.needed_faces |= std::uint64_t{1} << i;
+  }
+  const std::uint64_t umbra = footprint_->umbra(part.block) & part.bits;
+  if (umbra == 0) return;
+  tile_.umbra = true;
+  if ((umbra & footprint_->hits(part.block)) != 0) tile_.umbra_needed = true;
+  if ((umbra & ~footprint_->outline(part.block)) != 0) tile_.umbra_beyond_faces = true;
 }
 
 void TileTally::test_tile(const Box& box) {

@@ -48,6 +48,8 @@ class TileTally {
   void count(const Primitive& primitive, const Footprint& footprint);
 
   Counters& counters(std::size_t run) { return *counters_[run]; }
+  /// CountResult::needless_visits, of any of the runs.
+  std::uint64_t needless_visits() const { return needless_visits_; }
   const std::vector<Correction>& corrections(std::size_t run) const { return corrections_[run]; }
 
  private:
@@ -75,7 +77,9 @@ class TileTally {
     std::size_t index = 0;
     std::uint64_t pixels = 0;
     std::uint64_t faces = 0;          // that cover a pixel
+    std::uint64_t needed_faces = 0;   // that cover a pixel inside the wedge
     bool umbra = false;               // the polygon covers a pixel
+    bool umbra_needed = false;        // it hits one
     bool umbra_beyond_faces = false;  // one that no face covers
     std::uint64_t zmax = 0;           // faces culled
     bool zrange = false, planes = false, sat = false, inside = false;
@@ -83,6 +87,7 @@ class TileTally {
   };
 
   void count_tile(std::uint32_t tx, std::uint32_t ty);
+  void find_polygons(const TilePart& part);
   void test_tile(const Box& box);
   void count_run(std::size_t run);
   std::uint64_t survivors(const CountConfig& config, Counters& counters) const;
@@ -102,6 +107,7 @@ class TileTally {
   bool needs_umbra_cull_ = false, needs_accept_ = false;
   std::vector<std::unique_ptr<Counters>> counters_;
   std::vector<std::vector<Correction>> corrections_;
+  std::uint64_t needless_visits_ = 0;
   const Primitive* primitive_ = nullptr;
   const Footprint* footprint_ = nullptr;
   Tile tile_;

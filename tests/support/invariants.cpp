@@ -54,6 +54,12 @@ std::vector<CountConfig> configurations(ZChoice z, bool all) {
   return configs;
 }
 
+std::uint64_t visits_culled(const Counters& c) {
+  return c.visits_culled_zmax.value() + c.visits_culled_zrange.value() +
+         c.visits_culled_planes.value() + c.visits_culled_sat.value() +
+         c.umbra_visits_culled.value();
+}
+
 std::string check_words(const Frame& frame, ZChoice z, bool all, std::vector<std::int64_t>& words) {
   const traces::TraceView view = frame.trace.view();
   const std::vector<CountConfig> configs = configurations(z, all);
@@ -62,6 +68,7 @@ std::string check_words(const Frame& frame, ZChoice z, bool all, std::vector<std
   options.threads = 2;
   const std::vector<CountResult> results = count(view, configs, options);
   words = results.front().li;
+  std::map<unsigned, std::uint64_t> needless;  // by tile size
   for (const CountResult& result : results) {
     const CountConfig& c = result.config;
     const auto place =
@@ -72,6 +79,12 @@ std::string check_words(const Frame& frame, ZChoice z, bool all, std::vector<std
       return fmt::format("{} contributions lost or gained: {}", result.wrong_contributions, place);
     }
     if (result.li != words) return "LI words differ: " + place;
+    if (visits_culled(*result.counters) > result.needless_visits) {
+      return "more visits culled than are needless: " + place;
+    }
+    if (needless.emplace(c.tile, result.needless_visits).first->second != result.needless_visits) {
+      return "needless visits differ: " + place;
+    }
     if (result.pixels.mismatched != 0) {
       const PixelError& worst = result.pixels.worst.front();
       return fmt::format("{} pixels mismatch, worst ({}, {}) expected {} is {} sensitivity {}: {}",
