@@ -59,6 +59,10 @@ class FrameDepth {
     return {tx * tile_, ty * tile_, std::min((tx + 1) * tile_, width_),
             std::min((ty + 1) * tile_, height_)};
   }
+  /// The pixels of a row of tiles.
+  PixelBox row(int ty) const {
+    return {0, ty * tile_, width_, std::min((ty + 1) * tile_, height_)};
+  }
   /// A tile's pixel edges, clipped to the frame, and its depths, sky included.
   datapath::FixedBox box(int tx, int ty) const {
     const PixelBox p = pixels(tx, ty);

@@ -79,11 +79,12 @@ std::shared_ptr<PrimitiveWork> FrameWalk::walk(const SetupPrimitive& primitive, 
   unsigned steps = 0;
   WalkedTile walked;
   for (int ty = bounds.y0 / tile; !bounds.empty() && ty * tile < bounds.y1; ++ty) {
-    for (int tx = bounds.x0 / tile; tx * tile < bounds.x1; ++tx) {
-      // A walker finds a row's first touched tile by itself; it steps over the touched ones alone.
-      if (!datapath_.touches(tx, ty)) continue;
+    // A walker finds a row's first touched tile by itself; it steps over the touched ones alone.
+    const TileSpan row = datapath_.begin_row(ty);
+    for (int tx = row.first; tx < row.end; ++tx) {
+      if (!datapath_.touches(tx)) continue;
       ++steps;
-      if (!datapath_.process(tx, ty, walked.work)) continue;
+      if (!datapath_.process(tx, walked.work)) continue;
       walked.steps = steps;
       steps = 0;
       work->tiles.push_back(std::move(walked));

@@ -1,23 +1,43 @@
 #include "model/units/tile_cover.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace wedgesim::model::units {
 
 namespace {
 
-// Of eight values first, first + step, ... that grow, how many are negative: by halves.
-int negatives(std::int64_t first, std::int64_t step) {
-  int count = first + 3 * step < 0 ? 4 : 0;
-  if (first + (count + 1) * step < 0) count += 2;
-  if (first + count * step < 0) count += 1;
-  return count == 7 && first + 7 * step < 0 ? 8 : count;
+using datapath::EdgeFunction;
+
+// Four rows of a block, side by side in a vector register.
+using Rows [[gnu::vector_size(16)]] = std::int32_t;
+
+// The pixels of four rows that are outside an edge; \p value is that of the first.
+std::uint64_t outside_rows(std::int32_t value, std::int32_t a, std::int32_t b) {
+  // From the last column to the first, each row's signs are shifted in.
+  Rows values = Rows{0, 1, 2, 3} * b + (value + 7 * a);
+  Rows bits{};
+  for (int x = 0; x < 8; ++x, values -= a) bits += bits - (values >> 31);
+  std::uint64_t set = 0;
+  for (int y = 0; y < 4; ++y) set |= static_cast<std::uint64_t>(bits[y]) << (8 * y);
+  return set;
 }
 
-// The pixels of a block's row that are inside an edge, bit x; \p value is that of x = 0.
-std::uint64_t row_inside(std::int64_t value, std::int64_t a) {
-  if (a >= 0) return 0xffU & (0xffU << negatives(value, a));
-  return 0xffU >> negatives(value + 7 * a, -a);
+// The pixels of a block that are outside an edge which leaves out some and not others. The sign of
+// its value is that of value / 256, rounded down, and a and b are multiples of 256: no value / 256
+// is then farther from 0 than 14 (|a| + |b|) / 256.
+std::uint64_t outside(const EdgeFunction& edge, int x0, int y0) {
+  std::uint64_t set = 0;
+  if (std::abs(edge.a) + std::abs(edge.b) >= std::int64_t{1} << 35) {
+    for (int bit = 0; bit < 64; ++bit) {
+      if (!edge.inside(x0 + bit % 8, y0 + bit / 8)) set |= std::uint64_t{1} << bit;
+    }
+    return set;
+  }
+  const auto value = static_cast<std::int32_t>(edge.at(x0, y0) >> 8);
+  const auto a = static_cast<std::int32_t>(edge.a / 256);
+  const auto b = static_cast<std::int32_t>(edge.b / 256);
+  return outside_rows(value, a, b) | outside_rows(value + 4 * b, a, b) << 32;
 }
 
 }  // namespace
@@ -32,30 +52,32 @@ std::uint64_t covered(const SetupPolygon& polygon, const BlockPart& part) {
   const std::uint64_t row = ((std::uint64_t{1} << (x1 - x0)) - 1) << (x0 % 8);
   std::uint64_t set = 0;
   for (int y = y0; y < y1; ++y) set |= row << (8 * (y % 8));
-  for (const datapath::EdgeFunction& edge : polygon.edges) {
+  for (const EdgeFunction& edge : polygon.edges) {
     if (edge.misses(x0, y0, x1, y1)) return 0;
     // All inside, if the corner that is the least inside is.
     if (edge.inside(edge.a >= 0 ? x0 : x1 - 1, edge.b >= 0 ? y0 : y1 - 1)) continue;
-    std::int64_t value = edge.at(x0 / 8 * 8, y0);
-    std::uint64_t inside = 0;
-    for (int y = y0; y < y1; ++y, value += edge.b) {
-      inside |= row_inside(value, edge.a) << (8 * (y % 8));
-    }
-    set &= inside;
+    set &= ~outside(edge, 8 * part.bx(), 8 * part.by());
     if (set == 0) return 0;
   }
   return set;
 }
 
-bool touches(const SetupPolygon& polygon, const PixelBox& tile) {
+TileSpan touched(const SetupPolygon& polygon, const PixelBox& row, int tile) {
   const PixelBox& bounds = polygon.bounds;
-  if (tile.x0 >= bounds.x1 || tile.x1 <= bounds.x0 || tile.y0 >= bounds.y1 ||
-      tile.y1 <= bounds.y0) {
-    return false;
+  if (row.y0 >= bounds.y1 || row.y1 <= bounds.y0 || row.x1 <= bounds.x0) return {};
+  TileSpan span{bounds.x0 / tile, (bounds.x1 + tile - 1) / tile};
+  for (const EdgeFunction& edge : polygon.edges) {
+    // An edge is the most inside at a tile's right or left end: it leaves out the first tiles, or
+    // the last.
+    const std::int64_t rest = edge.b * (edge.b >= 0 ? row.y1 - 1 : row.y0) + edge.c;
+    const auto misses = [&](int x) { return edge.a * x + rest < 0; };
+    if (edge.a >= 0) {
+      while (!span.empty() && misses(std::min((span.first + 1) * tile, row.x1) - 1)) ++span.first;
+    } else {
+      while (!span.empty() && misses((span.end - 1) * tile)) --span.end;
+    }
   }
-  return std::none_of(polygon.edges.begin(), polygon.edges.end(), [&](const auto& edge) {
-    return edge.misses(tile.x0, tile.y0, tile.x1, tile.y1);
-  });
+  return span;
 }
 
 }  // namespace wedgesim::model::units

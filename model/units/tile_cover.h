@@ -20,7 +20,17 @@ inline int bit_of(int x, int y) { return 8 * (y % 8) + x % 8; }
 /// The pixels of a part that a polygon covers.
 std::uint64_t covered(const SetupPolygon& polygon, const BlockPart& part);
 
-/// May the polygon cover a pixel of the tile? What the tile walk asks: no edge leaves it out alone.
-bool touches(const SetupPolygon& polygon, const PixelBox& tile);
+/// Tiles [first, end) of a row.
+struct TileSpan {
+  int first = 0, end = 0;
+  bool empty() const { return first >= end; }
+  bool holds(int tx) const { return first <= tx && tx < end; }
+};
+
+/// The tiles of a row that the tile walk steps over: in which the polygon may cover a pixel, as no
+/// edge leaves the tile out alone.
+/// \param row   pixels of the row: the frame's whole width
+/// \param tile  its tiles' edge, pixels
+TileSpan touched(const SetupPolygon& polygon, const PixelBox& row, int tile);
 
 }  // namespace wedgesim::model::units

@@ -76,33 +76,55 @@ void TileDatapath::end() {
   if (faces_active() && primitive_->wedge && !covered_any_) counters_.degenerate_wedges += 1;
 }
 
-bool TileDatapath::touches(int tx, int ty) const {
-  const PixelBox tile = depth_.pixels(tx, ty);
-  if (umbra_active() && units::touches(primitive_->umbra->polygon, tile)) return true;
-  return faces_active() &&
-         std::any_of(primitive_->faces.begin(), primitive_->faces.end(),
-                     [&](const SetupFace& face) { return units::touches(face.polygon, tile); });
+TileSpan TileDatapath::begin_row(int ty) {
+  ty_ = ty;
+  const PixelBox row = depth_.row(ty);
+  TileSpan hull;
+  const auto span_of = [&](const SetupPolygon& polygon, bool walked) {
+    const TileSpan span = touched(polygon, row, depth_.tile());
+    if (walked && !span.empty()) {
+      hull = hull.empty()
+                 ? span
+                 : TileSpan{std::min(hull.first, span.first), std::max(hull.end, span.end)};
+    }
+    return span;
+  };
+  face_spans_.assign(primitive_->faces.size(), {});
+  for (std::size_t i = 0; faces_active() && i < face_spans_.size(); ++i) {
+    face_spans_[i] = span_of(primitive_->faces[i].polygon, true);
+  }
+  umbra_span_ = {};
+  if (needs_umbra()) umbra_span_ = span_of(primitive_->umbra->polygon, umbra_active());
+  return hull;
 }
 
-void TileDatapath::cover(const PixelBox& tile) {
+bool TileDatapath::touches(int tx) const {
+  return (umbra_active() && umbra_span_.holds(tx)) ||
+         std::any_of(face_spans_.begin(), face_spans_.end(),
+                     [tx](const TileSpan& span) { return span.holds(tx); });
+}
+
+void TileDatapath::cover(int tx) {
   parts_.clear();
   face_sets_.clear();
   umbra_sets_.clear();
+  const PixelBox tile = depth_.pixels(tx, ty_);
+  const std::size_t faces = face_spans_.size();
   for (int y = tile.y0; y < tile.y1; y = (y / 8 + 1) * 8) {
     for (int x = tile.x0; x < tile.x1; x = (x / 8 + 1) * 8) {
       const BlockPart part{x, y, std::min((x / 8 + 1) * 8, tile.x1),
                            std::min((y / 8 + 1) * 8, tile.y1)};
       std::uint64_t any = 0;
-      for (const SetupFace& face : primitive_->faces) {
-        face_sets_.push_back(faces_active() ? covered(face.polygon, part) : 0);
+      for (std::size_t i = 0; i < faces; ++i) {
+        const bool may = face_spans_[i].holds(tx);
+        face_sets_.push_back(may ? covered(primitive_->faces[i].polygon, part) : 0);
         any |= face_sets_.back();
       }
-      // The penumbra pass needs it for the sign of a coverage.
-      const bool needs_umbra = primitive_->umbra && (umbra_active() || primitive_->coverage);
-      const std::uint64_t umbra = needs_umbra ? covered(primitive_->umbra->polygon, part) : 0;
+      const std::uint64_t umbra =
+          umbra_span_.holds(tx) ? covered(primitive_->umbra->polygon, part) : 0;
       if (umbra_active()) any |= umbra;
       if (any == 0) {
-        face_sets_.resize(face_sets_.size() - primitive_->faces.size());
+        face_sets_.resize(face_sets_.size() - faces);
         continue;
       }
       umbra_sets_.push_back(umbra);
@@ -111,15 +133,15 @@ void TileDatapath::cover(const PixelBox& tile) {
   }
 }
 
-bool TileDatapath::process(int tx, int ty, TileWork& work) {
-  cover(depth_.pixels(tx, ty));
+bool TileDatapath::process(int tx, TileWork& work) {
+  cover(tx);
   if (parts_.empty()) return false;
   covered_any_ = true;
-  work.tile = static_cast<std::uint32_t>(depth_.tile_index(tx, ty));
+  work.tile = static_cast<std::uint32_t>(depth_.tile_index(tx, ty_));
   work.blocks.clear();
   work.shared = shared();
   count_visits(work);
-  const datapath::FixedBox box = depth_.box(tx, ty);
+  const datapath::FixedBox box = depth_.box(tx, ty_);
   const Tests tests = test(box);
   for (std::size_t part = 0; part < parts_.size(); ++part) work_on_part(part, tests, work);
 
@@ -129,7 +151,7 @@ bool TileDatapath::process(int tx, int ty, TileWork& work) {
     reads = reads || block.reads != 0;
     umbra_reads = umbra_reads || block.umbra_reads != 0;
   }
-  const PixelBox p = depth_.pixels(tx, ty);
+  const PixelBox p = depth_.pixels(tx, ty_);
   const auto pixels = static_cast<std::uint64_t>((p.x1 - p.x0) * (p.y1 - p.y0));
   const unsigned tiles =
       work.shared ? (reads || umbra_reads ? 1 : 0) : (reads ? 1U : 0U) + (umbra_reads ? 1U : 0U);

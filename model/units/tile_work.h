@@ -49,10 +49,13 @@ class TileDatapath {
 
   /// A primitive enters, before its tiles.
   void begin(const SetupPrimitive& primitive, Pass pass);
-  /// Is a polygon that takes part in the pass touched by the tile walk there?
-  bool touches(int tx, int ty) const;
-  /// One tile of that primitive. False if none of its pixels is covered; `work` is void then.
-  bool process(int tx, int ty, TileWork& work);
+  /// The next row of its tiles. \return tiles around those that the tile walk may step over
+  TileSpan begin_row(int ty);
+  /// Does a polygon that takes part in the pass touch that tile of the row?
+  bool touches(int tx) const;
+  /// One tile of the row that is touched. False if none of its pixels is covered; `work` is void
+  /// then.
+  bool process(int tx, TileWork& work);
   /// The primitive's tiles are done.
   void end();
   /// Three-pass, between the umbra passes and the penumbra: adds the stencil to LI.
@@ -77,8 +80,10 @@ class TileDatapath {
   };
   bool faces_active() const { return pass_ == Pass::single || pass_ == Pass::penumbra; }
   bool umbra_active() const { return primitive_->umbra && pass_ != Pass::penumbra; }
+  // The penumbra pass needs it for the sign of a coverage.
+  bool needs_umbra() const { return primitive_->umbra && (umbra_active() || primitive_->coverage); }
   bool shared() const;
-  void cover(const PixelBox& tile);
+  void cover(int tx);
   void count_visits(TileWork& work);
   Tests test(const datapath::FixedBox& box);
   void work_on_part(std::size_t part, const Tests& tests, TileWork& work);
@@ -104,6 +109,9 @@ class TileDatapath {
   const SetupPrimitive* primitive_ = nullptr;
   Pass pass_ = Pass::single;
   bool covered_any_ = false;
+  int ty_ = 0;                        // the row at hand
+  std::vector<TileSpan> face_spans_;  // of each face, empty where it takes no part; its touched
+  TileSpan umbra_span_;               // tiles of the row, and the umbra polygon's
   // Of the tile at hand: parts, and the sets of each face and of the umbra polygon in each.
   std::vector<BlockPart> parts_;
   std::vector<std::uint64_t> face_sets_, umbra_sets_;  // (parts, faces), (parts)
