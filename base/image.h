@@ -12,7 +12,8 @@ struct Image {
   int width = 0;
   int height = 0;
   int channels = 1;
-  std::vector<float> values;  // height × width × channels
+  std::vector<float> values;               // height × width × channels
+  std::vector<std::string> channel_names;  // of an image that was read, one a channel
 
   Image() = default;
   Image(int w, int h, int c)

@@ -26,6 +26,7 @@ std::string read(const std::string& path, Image& image) {
   if (!in) return OIIO::geterror();
   const OIIO::ImageSpec& spec = in->spec();
   image = Image(spec.width, spec.height, spec.nchannels);
+  image.channel_names = spec.channelnames;
   if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data())) {
     return in->geterror();
   }

@@ -150,6 +150,20 @@ glm::dvec3 TomlTable::vec3(std::string_view key, std::optional<glm::dvec3> fallb
   return {v[0], v[1], v[2]};
 }
 
+glm::dmat4 TomlTable::matrix4(std::string_view key) const {
+  const toml::array* rows = need(key, "4 rows of 4 numbers").as_array();
+  if (rows == nullptr || rows->size() != 4) fail(key, "is no matrix", "4 rows of 4 numbers");
+  glm::dmat4 matrix;
+  for (int row = 0; row < 4; ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    const std::vector<double> values = components((*rows)[i], key, 4, {});
+    for (int column = 0; column < 4; ++column) {
+      matrix[column][row] = values[static_cast<std::size_t>(column)];
+    }
+  }
+  return matrix;
+}
+
 std::vector<glm::dvec2> TomlTable::vec2_list(std::string_view key) const {
   const toml::array* array = need(key, "an array of points").as_array();
   if (array == nullptr) {

@@ -2,6 +2,7 @@
 
 #include <toml++/toml.h>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -44,6 +45,8 @@ class TomlTable {
                   Range range = {}) const;
   glm::dvec3 vec3(std::string_view key, std::optional<glm::dvec3> fallback = {},
                   Range range = {}) const;
+  /// Four rows of four numbers.
+  glm::dmat4 matrix4(std::string_view key) const;
   std::vector<glm::dvec2> vec2_list(std::string_view key) const;
   std::vector<glm::dvec3> vec3_list(std::string_view key) const;
 

@@ -16,6 +16,7 @@ struct Command {
 Command add_scenes(CLI::App& program);
 Command add_render(CLI::App& program);
 Command add_trace(CLI::App& program);
+Command add_import(CLI::App& program);
 Command add_dump(CLI::App& program);
 Command add_count(CLI::App& program);
 Command add_cycles(CLI::App& program);

@@ -18,8 +18,8 @@ constexpr int kBadInput = 2;
 
 std::vector<Command> add_commands(CLI::App& program) {
   std::vector<Command> commands;
-  for (const auto add : {add_scenes, add_render, add_trace, add_dump, add_count, add_cycles,
-                         add_explain, add_study}) {
+  for (const auto add : {add_scenes, add_render, add_trace, add_import, add_dump, add_count,
+                         add_cycles, add_explain, add_study}) {
     commands.push_back(add(program));
   }
   // What CLI11 does not know is left over, so that one place can say what would be known.

@@ -1,5 +1,7 @@
 #include "functional/methods/frame.h"
 
+#include <glm/vector_relational.hpp>
+
 #include "base/error.h"
 #include "functional/light/coverage.h"
 #include "functional/methods/light_intensity.h"
@@ -31,7 +33,7 @@ fb::LightShape to_fb(LightShape shape) {
   return fb::LightShape_point;
 }
 
-void fill_header(const Scene& scene, const Window& window, const FrameOptions& options,
+void fill_header(const Scene& scene, const Window& window, fb::DepthFormat depth_format,
                  traces::Header& header) {
   header.name = scene.name;
   header.width = static_cast<std::uint32_t>(window.width);
@@ -51,7 +53,30 @@ void fill_header(const Scene& scene, const Window& window, const FrameOptions& o
   light.colour = to_fb(scene.light.colour);
   light.light_from_window = to_fb(light_from_world(scene.light) * window.world_from_window);
   header.lights.push_back(std::move(light));
-  header.depth_format = options.depth_format;
+  header.depth_format = depth_format;
+}
+
+// A point this near to the bounds of the objects, of their diagonal, is one of theirs: stored depth
+// is rounded. Volumes end farther out (extent.cpp).
+constexpr double kOfTheObjects = 1e-3;
+
+Bounds receivers_of(const Scene& scene, const Frame& frame, const FrameOptions& options) {
+  const Bounds objects = bounds_of(scene.objects);
+  if (options.depth == nullptr) return objects;
+  const glm::dvec3 near(kOfTheObjects * objects.diagonal());
+  Bounds all = objects;
+  const std::uint32_t sky = traces::sky_word(frame.depth.format);
+  for (std::size_t i = 0; i < frame.depth.words.size(); ++i) {
+    if (frame.depth.words[i] == sky) continue;
+    const auto width = static_cast<std::size_t>(frame.window.width);
+    const glm::dvec3 p = world_point(
+        frame.window, static_cast<double>(i % width) + 0.5, static_cast<double>(i / width) + 0.5,
+        traces::decode_depth(frame.depth.format, frame.depth.words[i]));
+    const bool outside = glm::any(glm::lessThan(p, objects.low - near)) ||
+                         glm::any(glm::greaterThan(p, objects.high + near));
+    if (outside) all.grow(p);
+  }
+  return all;
 }
 
 }  // namespace
@@ -62,10 +87,12 @@ Frame make_frame(const Scene& scene, const FrameOptions& options) {
   }
   Frame frame;
   frame.window = make_window(scene.camera, scene.width, scene.height);
-  frame.depth = render_depth(frame.window, scene.objects, options.depth_format);
-  fill_header(scene, frame.window, options, frame.trace.header);
-  frame.geometry =
-      build_shadow_geometry(scene, frame.window, options.kind, options.length, frame.trace);
+  frame.depth = options.depth != nullptr
+                    ? *options.depth
+                    : render_depth(frame.window, scene.objects, options.depth_format);
+  fill_header(scene, frame.window, frame.depth.format, frame.trace.header);
+  frame.geometry = build_shadow_geometry(scene, frame.window, options.kind, options.length,
+                                         receivers_of(scene, frame, options), frame.trace);
   frame.trace.depth = frame.depth.words;
 
   const bool needs_fail = frame.trace.header.z_fail_needed;

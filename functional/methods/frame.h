@@ -16,6 +16,8 @@ struct FrameOptions {
   std::optional<double> length;  // of the volumes, world units; none: just beyond the receivers
   std::optional<traces::fb::ZMethod> z_method;  // none: z-pass unless the eye needs z-fail
   bool expected_li = true;                      // without: depth and geometry only
+  /// Of another renderer, in the place of the scene's own; it may show more than the scene holds.
+  const DepthBuffer* depth = nullptr;
 };
 
 /// A rendered frame: the trace the block reads and what the renderer knows besides.

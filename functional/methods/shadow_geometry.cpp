@@ -39,7 +39,7 @@ fb::Vec3 to_fb(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 class Builder {
  public:
   Builder(const Scene& scene, const Window& window, fb::WedgeKind kind,
-          std::optional<double> length, traces::Trace& trace)
+          std::optional<double> length, const Bounds& receivers, traces::Trace& trace)
       : light_(scene.light),
         kind_(kind),
         length_(length),
@@ -47,7 +47,7 @@ class Builder {
         screen_(window, trace),
         pyramid_(window),
         to_light_(light_from_world(scene.light)),
-        bounds_(bounds_of(scene.objects)),
+        bounds_(receivers),
         soft_(has_extent(scene.light)) {
     geometry_.kind = kind;
   }
@@ -243,8 +243,9 @@ bool SidedPlane::inside(const glm::dvec3& p) const {
 }
 
 ShadowGeometry build_shadow_geometry(const Scene& scene, const Window& window, fb::WedgeKind kind,
-                                     std::optional<double> length, traces::Trace& trace) {
-  Builder builder(scene, window, kind, length, trace);
+                                     std::optional<double> length, const Bounds& receivers,
+                                     traces::Trace& trace) {
+  Builder builder(scene, window, kind, length, receivers, trace);
   for (const Object& object : scene.objects) {
     if (!object.casts) continue;
     try {

@@ -48,9 +48,10 @@ struct ShadowGeometry {
 /// Builds the volumes of every caster of a scene and fills the trace's vertices, planes, faces,
 /// wedges, umbra polygons and casters.
 /// \param length  fixed length of the volumes, world units; none: just beyond the receivers
+/// \param receivers  bounds of all that receives shadows
 /// \throws InputError if the light touches a caster or its penumbra spans a half-space
 ShadowGeometry build_shadow_geometry(const Scene& scene, const Window& window,
                                      traces::fb::WedgeKind kind, std::optional<double> length,
-                                     traces::Trace& trace);
+                                     const Bounds& receivers, traces::Trace& trace);
 
 }  // namespace wedgesim::functional

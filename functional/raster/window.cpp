@@ -75,6 +75,19 @@ glm::dvec3 world_point(const Window& window, double x, double y, double z) {
   return glm::dvec3(p) / p.w;
 }
 
+glm::dvec3 forward(const Window& window) {
+  const auto& near = window.near_rectangle;
+  return glm::normalize(0.5 * (near[0] + near[2]) - window.eye);
+}
+
+double view_distance(const Window& window, double z) {
+  return 1.0 / (window.world_from_window[2].w * z + window.world_from_window[3].w);
+}
+
+double window_depth(const Window& window, double view_distance) {
+  return (1.0 / view_distance - window.world_from_window[3].w) / window.world_from_window[2].w;
+}
+
 glm::dvec4 window_plane(const Window& window, const glm::dvec4& world_plane) {
   return glm::transpose(window.world_from_window) * world_plane;
 }

@@ -27,6 +27,14 @@ Window make_window(const Camera& camera, int width, int height);
 /// \param x, y  pixels; \param z window depth, [0, 1]
 glm::dvec3 world_point(const Window& window, double x, double y, double z);
 
+/// Unit vector along the view direction.
+glm::dvec3 forward(const Window& window);
+
+/// Distance along the view direction, world units, of a window depth in [0, 1]; and back: any
+/// distance above 0 gives a depth below 1.
+double view_distance(const Window& window, double z);
+double window_depth(const Window& window, double view_distance);
+
 /// A world plane (n, d), n·p + d, as window plane coefficients: the value at (x, y, z, 1) is the
 /// world value divided by clip w, so its sign and ratios of such values are kept.
 glm::dvec4 window_plane(const Window& window, const glm::dvec4& world_plane);

@@ -11,6 +11,7 @@
 #include "base/toml_table.h"
 #include "functional/scene/built_in.h"
 #include "functional/scene/camera_path.h"
+#include "functional/scene/clip_matrix.h"
 #include "functional/scene/light_file.h"
 #include "functional/scene/scene_check.h"
 #include "functional/scene/scene_objects.h"
@@ -57,7 +58,8 @@ Source find_source(const std::string& name_or_file) {
   return {path.stem().string(), path.string(), path, read_text(path)};
 }
 
-CameraFile read_camera(const TomlTable& table) {
+/// \param width_by_height  of the frame
+CameraFile read_camera(const TomlTable& table, double width_by_height) {
   CameraFile file;
   Camera& camera = file.camera;
   camera.up = table.vec3("up", camera.up);
@@ -73,6 +75,18 @@ CameraFile read_camera(const TomlTable& table) {
     table.fail("interpolation", fmt::format("is '{}'", way), "linear or catmull-rom");
   }
   file.interpolation = way == "linear" ? Interpolation::linear : Interpolation::catmull_rom;
+  if (table.has("clip_from_world")) {
+    for (const char* other : {"eye", "target", "key", "up", "field_of_view"}) {
+      if (table.has(other)) table.fail(other, "stands beside 'clip_from_world'", "one of them");
+    }
+    const std::string wrong =
+        camera_of_clip_matrix(table.matrix4("clip_from_world"), width_by_height, camera);
+    if (!wrong.empty()) {
+      table.fail("clip_from_world", wrong, "a symmetric perspective of square pixels");
+    }
+    table.reject_unknown();
+    return file;
+  }
   for (const TomlTable& key : table.tables("key")) {
     file.keys.push_back({key.vec3("eye"), key.vec3("target"), key.integer("frames", 0, 0, 100000)});
     key.reject_unknown();
@@ -143,7 +157,8 @@ Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
   scene.description = table.text("description");
   set_size(scene, table, options);
   const TomlTable camera_table = table.table("camera");
-  set_frame(scene, read_camera(camera_table), options.frame, camera_table.place());
+  const double width_by_height = static_cast<double>(scene.width) / scene.height;
+  set_frame(scene, read_camera(camera_table, width_by_height), options.frame, camera_table.place());
   const LightFile light = read_light(table.table("light"));
   scene.light = options.light_shape ? reshaped(light, *options.light_shape) : light.light;
   if (!has_extent(scene.light)) scene.light.shape = LightShape::point;
@@ -169,7 +184,7 @@ std::vector<SceneInfo> built_in_scenes() {
     const toml::table root = parse_toml(file.text, std::string(file.name));
     const TomlTable table(root, std::string(file.name));
     infos.push_back({std::string(file.name), table.text("description"),
-                     frame_count(read_camera(table.table("camera")).keys)});
+                     frame_count(read_camera(table.table("camera"), 1.0).keys)});
   }
   return infos;
 }

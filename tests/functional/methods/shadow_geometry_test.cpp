@@ -40,7 +40,8 @@ traces::Trace build(const Scene& scene, fb::WedgeKind kind, ShadowGeometry* geom
                     std::optional<double> length = std::nullopt) {
   traces::Trace trace;
   const Window window = make_window(scene.camera, scene.width, scene.height);
-  ShadowGeometry built = build_shadow_geometry(scene, window, kind, length, trace);
+  ShadowGeometry built =
+      build_shadow_geometry(scene, window, kind, length, bounds_of(scene.objects), trace);
   if (geometry != nullptr) *geometry = std::move(built);
   return trace;
 }
