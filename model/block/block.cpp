@@ -250,6 +250,10 @@ RecordedFrame record_frame(const traces::TraceView& trace, const BlockConfig& co
   layout.li_bytes = static_cast<int>(bytes_of_bits(config.formats.li.bits()));
   layout.stencil_bytes = static_cast<int>(bytes_of_bits(config.formats.stencil_bits));
   layout.wedge_bytes = walk->record_bytes();
+  const Counters& counters = frame.counters();
+  const auto tiles = static_cast<std::uint64_t>(walk->datapath().depth().tile_count());
+  const auto kept = static_cast<int>(counters.tile_words.value() / tiles);
+  layout.tile_bytes = layout.z_bytes * std::max(kept, 1);
   return frame;
 }
 

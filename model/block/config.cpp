@@ -37,6 +37,19 @@ void read_key(const TomlTable& table, const BlockKey& key, bool complete, BlockC
   }
 }
 
+void read_dram(const TomlTable& table, bool complete, MemoryConfig& config) {
+  const bool is_dram = config.kind == MemoryKind::dram;
+  if (table.has("dram")) {
+    if (!is_dram)
+      table.fail("dram", "means nothing to an ideal memory", "it only with kind = dram");
+    const TomlTable dram = table.table("dram");
+    config.dram = memory::read_dram(dram, config.dram, complete);
+    dram.reject_unknown();
+  } else if (is_dram && complete) {
+    table.fail("dram", "is missing", "a table [memory.dram]");
+  }
+}
+
 void read_section(const TomlTable& root, std::string_view section, bool complete,
                   BlockConfig& config) {
   if (!complete && !root.has(section)) return;
@@ -64,15 +77,7 @@ void read_section(const TomlTable& root, std::string_view section, bool complete
   if (section == "li_update") read_choice(table, "clear", complete, config.li_update.clear);
   if (section == "memory") {
     read_choice(table, "kind", complete, config.memory.kind);
-    if (config.memory.kind == MemoryKind::dram) {
-      if (table.has("dram")) {
-        const TomlTable dram = table.table("dram");
-        config.memory.dram = memory::read_dram(dram);
-        dram.reject_unknown();
-      } else if (complete) {
-        table.fail("dram", "is missing", "a table [memory.dram]");
-      }
-    }
+    read_dram(table, complete, config.memory);
   }
   table.reject_unknown();
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <vector>
 
 #include "base/error.h"
@@ -93,11 +94,14 @@ const std::array<DramPreset, 3>& dram_presets() {
   return kPresets;
 }
 
-DramConfig read_dram(const TomlTable& table) {
-  DramConfig config = dram_preset(table.text("preset", "lpddr4-3200"), table.place("preset"));
+DramConfig read_dram(const TomlTable& table, const DramConfig& base, bool complete) {
+  DramConfig config = base;
+  const bool preset = table.has("preset");
+  if (preset) config = dram_preset(table.text("preset"), table.place("preset"));
   for (const DramKey& key : kDramKeys) {
     int& value = config.*key.value;
-    value = table.integer(key.key, value, key.low, key.high);
+    const auto fallback = complete && !preset ? std::optional<int>() : std::optional<int>(value);
+    value = table.integer(key.key, fallback, key.low, key.high);
   }
   check(config, table.place());
   return config;

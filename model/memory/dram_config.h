@@ -81,11 +81,12 @@ struct DramPreset {
 /// The memories that a configuration can name.
 const std::array<DramPreset, 3>& dram_presets();
 
-/// The preset that the key `preset` names (lpddr4-3200 without one), with the keys of kDramKeys
-/// that the table sets besides. \throws InputError naming file, line and key if one is out of
-/// range; unknown keys are for the
-///         caller to reject
-DramConfig read_dram(const TomlTable& table);
+/// The preset that the key `preset` names, else `base`, with the keys of kDramKeys that the table
+/// sets besides.
+/// \param complete  without `preset`, every key is required
+/// \throws InputError naming file, line and key if one is missing or out of range; unknown keys are
+///         for the caller to reject
+DramConfig read_dram(const TomlTable& table, const DramConfig& base, bool complete);
 
 /// \throws InputError listing the names that exist
 const DramConfig& dram_preset(std::string_view name, std::string_view place);

@@ -20,7 +20,7 @@ struct LayoutConfig {
   int z_bytes = 4;                // of a word: 1, 2, 4 or 8; so are the next three
   int li_bytes = 2;
   int stencil_bytes = 1;
-  int tile_bytes = 8;             // of a tile: zmin and zmax, 4 each; 4 if one of them is kept
+  int tile_bytes = 8;             // of a tile: zmin and zmax, or the one of them that is kept
   std::uint64_t wedge_bytes = 0;  // of all records, at most 2^40
   std::uint64_t base = 0;         // address of the first surface, a multiple of kPageBytes
 

@@ -58,7 +58,8 @@ TileDatapath::TileDatapath(const traces::TraceView& trace, const CountConfig& co
       li_touched_(trace.depth.size()),
       inside_(trace.depth.size()),
       contributions_(trace.depth.size()),
-      tiles_read_(depth_.tile_count()) {}
+      tiles_read_(depth_.tile_count()),
+      covering_wedges_(trace.wedges.size()) {}
 
 bool TileDatapath::shared() const {
   return pass_ == Pass::single && primitive_->wedge && primitive_->umbra &&
@@ -73,7 +74,7 @@ void TileDatapath::begin(const SetupPrimitive& primitive, Pass pass) {
 }
 
 void TileDatapath::end() {
-  if (faces_active() && primitive_->wedge && !covered_any_) counters_.degenerate_wedges += 1;
+  if (primitive_->wedge && covered_any_) covering_wedges_[*primitive_->wedge] = true;
 }
 
 TileSpan TileDatapath::begin_row(int ty) {
@@ -332,6 +333,8 @@ bool TileDatapath::merge(int bx, int by) {
 void TileDatapath::finish() {
   const std::size_t pixels = trace_.depth.size();
   const bool three = config_.mode == Mode::three_pass;
+  counters_.degenerate_wedges = static_cast<std::uint64_t>(
+      std::count(covering_wedges_.begin(), covering_wedges_.end(), false));
   const unsigned words = face_words(config_.cull) | umbra_words(config_);
   const std::uint64_t stored = words == 0 ? 0 : ((words & kZmin) != 0 ? 2 : 1);
   counters_.tile_words = stored * depth_.tile_count();

@@ -106,6 +106,7 @@ class TileDatapath {
   std::vector<std::uint32_t> contributions_;
   std::optional<std::array<int, 2>> first_overflow_;
   std::vector<bool> tiles_read_;
+  std::vector<bool> covering_wedges_;  // a face or the umbra polygon covers a pixel, in any pass
   const SetupPrimitive* primitive_ = nullptr;
   Pass pass_ = Pass::single;
   bool covered_any_ = false;

@@ -148,6 +148,24 @@ TEST(Block, DecoupledTimeIsThatOfTheClockedWitnessInEveryTileSize) {
   }
 }
 
+// A tile's word in memory holds what its tests name, in words of depth.
+TEST(Block, TheLayoutKeepsTheTileWordsThatAreCounted) {
+  const traces::TraceView view = coverage().view();
+  for (const Cull cull : {Cull::none, Cull::zmax, Cull::both}) {
+    for (const Accept accept : {Accept::none, Accept::zmin}) {
+      BlockConfig config;
+      config.rasterizer.cull = cull;
+      config.rasterizer.umbra_cull = UmbraCull::none;
+      config.rasterizer.accept = accept;
+      const RecordedFrame frame = record_frame(view, config);
+      const std::uint64_t bytes = 4 * frame.counters().tile_words.value();
+      if (bytes == 0) continue;
+      EXPECT_EQ(static_cast<std::uint64_t>(frame.layout.tile_bytes) * (96 / 8) * (64 / 8), bytes)
+          << spelling(cull) << ' ' << spelling(accept);
+    }
+  }
+}
+
 TEST(Block, ARunLeavesNothingBehind) {
   const BlockConfig single = config_of(Mode::single_pass);
   const BlockConfig small = read_block("small");

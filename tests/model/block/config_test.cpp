@@ -68,6 +68,26 @@ TEST(BlockConfig, DocumentsHoldEveryKey) {
   }
 }
 
+// A table of DRAM keys changes the memory that the preset has.
+TEST(BlockConfig, OneDramKeyLeavesTheOthers) {
+  BlockConfig expected = read_block("wide");
+  expected.memory.dram.queue_bursts = 3;
+  const BlockConfig changed =
+      parse_block("preset = \"wide\"\n[memory.dram]\nqueue_bursts = 3\n", "b.toml");
+  EXPECT_EQ(to_toml(changed), to_toml(expected));
+}
+
+TEST(BlockConfig, WithoutAPresetADramNeedsOneOrEveryKey) {
+  const std::string text = to_toml(read_block("wide"));
+  const std::size_t begin = text.find("[memory.dram]\n") + 14;
+  const std::string before = text.substr(0, begin);
+  const std::string after = text.substr(text.find("\n[formats]"));
+  EXPECT_NE(input_error_of([&] { parse_block(before + after, "b.toml"); }).find("'clock_mhz'"),
+            std::string::npos);
+  const BlockConfig named = parse_block(before + "preset = \"hbm2-2000\"\n" + after, "b.toml");
+  EXPECT_EQ(to_toml(named), text);
+}
+
 // Each number is set to another of its range, alone, and comes back.
 TEST(BlockConfig, EveryKeyIsReadIntoItsPlace) {
   for (const BlockKey& key : kBlockKeys) {
@@ -119,6 +139,7 @@ TEST(BlockConfig, WhatNoHardwareCanBeIsNamed) {
       {"[block]\ntiles = 8", "tiles"},
       {"[blocks]\ntile = 8", "blocks"},
       {"[memory]\nkind = \"flash\"", "kind"},
+      {"[memory.dram]\nrp = 8", "it only with kind = dram"},
       {"[formats]\nform_bits = 23", "'form_bits'"},
       {"[formats]\nli_integer_bits = 1", "'li_integer_bits'"},
       {"[formats]\nwidth = 8", "width"},

@@ -54,15 +54,40 @@ TEST(DramConfig, KeysMustFitEachOther) {
             "block.toml:5: 'refi' is 448; expected an integer from 449 to 1000000");
 }
 
+DramConfig read(const std::string& text, bool complete = false) {
+  const toml::table root = parse_toml(text, "block.toml");
+  const TomlTable table(root, "block.toml");
+  const DramConfig config = read_dram(table, dram_preset("gddr6-14000", "x"), complete);
+  table.reject_unknown();
+  return config;
+}
+
+// Without `preset`, what a file leaves out stays as it is in the configuration it changes.
+TEST(DramConfig, AFileChangesTheConfigurationItStandsIn) {
+  const DramConfig config = read("queue_bursts = 3");
+  DramConfig expected = dram_preset("gddr6-14000", "x");
+  EXPECT_NE(expected.queue_bursts, 3);
+  expected.queue_bursts = 3;
+  for (const DramKey& key : kDramKeys) EXPECT_EQ(config.*key.value, expected.*key.value) << key.key;
+}
+
+TEST(DramConfig, ACompleteFileHasAPresetOrEveryKey) {
+  EXPECT_EQ(read("preset = 'hbm2-2000'", true).rp, 14);
+  EXPECT_NE(input_error_of([] { read("", true); }).find("'clock_mhz' is missing"),
+            std::string::npos);
+  for (const DramKey& left_out : kDramKeys) {
+    std::string text;
+    for (const DramKey& key : kDramKeys) {
+      if (key.key == left_out.key) continue;
+      text += std::string(key.key) + " = " + std::to_string(DramConfig().*key.value) + '\n';
+    }
+    const std::string error = input_error_of([&] { read(text, true); });
+    EXPECT_NE(error.find("'" + std::string(left_out.key) + "' is missing"), std::string::npos)
+        << error;
+  }
+}
+
 TEST(DramConfig, AFileChangesAPreset) {
-  const auto read = [](const std::string& text) {
-    const toml::table root = parse_toml(text, "block.toml");
-    const TomlTable table(root, "block.toml");
-    const DramConfig config = read_dram(table);
-    table.reject_unknown();
-    return config;
-  };
-  EXPECT_EQ(read("").rp, 29);
   const DramConfig config = read("preset = 'hbm2-2000'\nchannels = 8\n");
   EXPECT_EQ(config.channels, 8);
   EXPECT_EQ(config.rp, 14);

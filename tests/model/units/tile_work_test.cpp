@@ -95,6 +95,17 @@ TEST(TileWork, EqualsTheCounterInEveryConfiguration) {
   }
 }
 
+// Thin letters in few pixels: wedges whose faces cover no pixel but whose umbra polygon does.
+TEST(TileWork, EqualsTheCounterWhereWedgesAreThin) {
+  for (const auto& size : {std::pair{96, 64}, std::pair{8, 8}}) {
+    const traces::Trace thin =
+        wedgesim::test::render("text2002", traces::fb::WedgeKind_linear, size);
+    std::vector<CountConfig> configs(2);
+    configs[1].mode = Mode::three_pass;
+    expect_equal(thin.view(), configs);
+  }
+}
+
 // An LI word of 48 bits, and one so narrow that it wraps.
 TEST(TileWork, EqualsTheCounterInWordsOfOtherWidths) {
   const traces::Trace trace =
