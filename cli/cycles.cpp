@@ -46,7 +46,8 @@ reports::CyclesReport run_block(const Arguments& arguments, const traces::TraceV
   }
   Progress progress;
   progress.show(fmt::format("{}: the block at work", trace.header.name));
-  if (arguments.memory_trace.empty()) return reports::run_cycles(trace, config, options, table);
+  const reports::CheckedFrame frame = reports::check_frame(trace, config);
+  if (arguments.memory_trace.empty()) return reports::run_cycles(frame, config, options, table);
   reports::MemoryTraceOptions trace_options;
   trace_options.format =
       reports::memory_trace_format(arguments.memory_trace_format, "--memory-trace-format");
@@ -57,7 +58,7 @@ reports::CyclesReport run_block(const Arguments& arguments, const traces::TraceV
   write_stream(arguments.memory_trace, [&](std::ostream& out) {
     reports::MemoryTraceWriter writer(out, trace_options);
     options.listener = [&writer](const auto& record) { writer.write(record); };
-    report = reports::run_cycles(trace, config, options, table);
+    report = reports::run_cycles(frame, config, options, table);
   });
   return *report;
 }

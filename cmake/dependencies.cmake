@@ -11,6 +11,7 @@ find_package(CLI11 REQUIRED)
 find_package(embree 3.13 REQUIRED)
 find_package(hwy REQUIRED)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+find_package(SQLite3 REQUIRED)
 find_package(FlatBuffers CONFIG REQUIRED)
 # By pkg-config: the package's CMake file asks for tools and OpenCV headers that are not needed.
 pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET OpenImageIO)

@@ -29,6 +29,18 @@ function(wedgesim_library name)
                         PRIVATE ${ARG_PRIVATE_LINKS})
 endfunction()
 
+# wedgesim_embed(out.cpp "a.toml;b.toml" HEADER x.h SPACE wedgesim::x TYPE File FUNCTION files)
+# writes out.cpp, in which x::files() gives the files' stems and texts as a span of x::File.
+function(wedgesim_embed output files)
+  cmake_parse_arguments(ARG "" "HEADER;SPACE;TYPE;FUNCTION" "" ${ARGN})
+  list(JOIN files "," list)
+  add_custom_command(OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -DFILES=${list} -DHEADER=${ARG_HEADER} -DSPACE=${ARG_SPACE}
+            -DTYPE=${ARG_TYPE} -DFUNCTION=${ARG_FUNCTION} -P ${PROJECT_SOURCE_DIR}/cmake/embed_files.cmake
+    DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/embed_files.cmake
+    VERBATIM)
+endfunction()
+
 # The programs that ./test runs under the sanitizers: the unit tests of what reads traces, handles
 # memory and computes in integers. Those of the renderer's geometry and scenes take the longest to
 # build; ./test --sanitize runs them too.

@@ -2,9 +2,8 @@
 
 #include <cstdint>
 #include <optional>
-#include <set>
 
-#include "reports/study.h"
+#include "model/count/count.h"
 
 namespace wedgesim::reports {
 
@@ -20,19 +19,7 @@ Accesses accesses_of(const model::CountResult& result);
 std::uint64_t floor_of(const model::CountResult& result);
 std::optional<double> over_floor(const model::CountResult& result);
 
-/// The result of a configuration on a scene; null if the study does not hold it.
-const model::CountResult* find(const SceneResults& scene, const model::CountConfig& config);
-
-/// All tile edges of a study.
-std::set<unsigned> tiles_of(const Study& study);
-
 /// The part that `to` saves of `from`, in per cent; nothing if there is none to save.
 std::optional<double> saved_percent(std::uint64_t from, std::uint64_t to);
-
-/// The tile edge with the fewest accesses if a tile visit costs some too; 0 if there is none.
-/// \param config      of every tile size
-/// \param visit_cost  accesses a tile visit
-unsigned best_tile(const StudyResults& results, const SceneResults& scene,
-                   model::CountConfig config, std::uint64_t visit_cost);
 
 }  // namespace wedgesim::reports

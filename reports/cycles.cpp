@@ -186,15 +186,24 @@ std::string row_of_rates(const CyclesReport& report) {
 
 }  // namespace
 
-CyclesReport run_cycles(const traces::TraceView& trace, const model::BlockConfig& config,
+CheckedFrame check_frame(const traces::TraceView& trace, const model::BlockConfig& config) {
+  CheckedFrame checked;
+  checked.trace = info_of(trace);
+  const auto start = Clock::now();
+  checked.frame = model::record_frame(trace, config);
+  checked.seconds = seconds_since(start);
+  checked.pixels = check_pixels(trace, checked.frame, config);
+  return checked;
+}
+
+CyclesReport run_cycles(const CheckedFrame& checked, const model::BlockConfig& config,
                         const model::BlockOptions& options,
                         const model::memory::EnergyTable* energy) {
+  const model::RecordedFrame& frame = checked.frame;
   CyclesReport report;
-  report.trace = info_of(trace);
+  report.trace = checked.trace;
   report.config = config;
-  const auto start = Clock::now();
-  const model::RecordedFrame frame = model::record_frame(trace, config);
-  report.value_seconds = seconds_since(start);
+  report.value_seconds = checked.seconds;
   const std::size_t tiles = frame.walk->datapath().depth().tile_count();
   PortProfile profile(tiles);
   model::BlockOptions profiled = options;
@@ -207,7 +216,7 @@ CyclesReport run_cycles(const traces::TraceView& trace, const model::BlockConfig
   report.seconds = seconds_since(replay);
   report.z_fail = frame.z_fail;
   report.frame = frame.walk;
-  report.pixels = check_pixels(trace, frame, config);
+  report.pixels = checked.pixels;
   report.datapath_bytes = datapath_bytes(frame.counters(), frame.layout);
   report.floor_bytes = floor_bytes(frame.counters(), frame.layout);
   report.peak_bytes_per_cycle = profile.peak_bytes_per_cycle();

@@ -31,10 +31,23 @@ struct CyclesReport {
   const model::Counters& counters() const { return frame->datapath().counters(); }
 };
 
-/// Runs a frame of a trace through a block and compares its LI words with the expected LI.
-/// \param trace  sound
+/// A frame's values and their comparison with the expected LI: the same for every block with the
+/// same rasterizer and formats.
+struct CheckedFrame {
+  TraceInfo trace;
+  model::RecordedFrame frame;
+  model::PixelCheck pixels;
+  double seconds = 0.0;  // to compute the values
+};
+
+/// \param trace  sound; outlives the result
+/// \throws InputError as count() does
+CheckedFrame check_frame(const traces::TraceView& trace, const model::BlockConfig& config);
+
+/// Runs a frame through a block.
+/// \param config  with the rasterizer and formats of the frame
 /// \param energy  what accesses cost; null: unknown
-CyclesReport run_cycles(const traces::TraceView& trace, const model::BlockConfig& config,
+CyclesReport run_cycles(const CheckedFrame& frame, const model::BlockConfig& config,
                         const model::BlockOptions& options,
                         const model::memory::EnergyTable* energy = nullptr);
 

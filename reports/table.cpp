@@ -94,6 +94,27 @@ std::string Table::text(std::size_t indent) const {
   return text;
 }
 
+std::string Table::markdown() const {
+  std::string titles = "|";
+  std::string alignment = "|";
+  std::string group;
+  for (const Column& column : columns_) {
+    if (!column.group.empty()) group = column.group;
+    titles +=
+        fmt::format(" {} |", group.empty() || column.title.empty() ? group + column.title
+                                                                   : group + ": " + column.title);
+    alignment += column.align == Align::left ? "---|" : "---:|";
+  }
+  std::string text = titles + '\n' + alignment + '\n';
+  for (const auto& row : rows_) {
+    if (row.empty()) continue;
+    text += '|';
+    for (const std::string& cell : row) text += ' ' + cell + " |";
+    text += '\n';
+  }
+  return text;
+}
+
 std::string grouped(std::uint64_t number) {
   std::string digits = std::to_string(number);
   for (std::size_t at = digits.size(); at > 3;) {

@@ -20,6 +20,8 @@ class Table {
 
   /// The lines, each indented and ending in a line feed; no trailing blanks.
   std::string text(std::size_t indent = 0) const;
+  /// The same as a Markdown table; a group's title stands before the titles of its columns.
+  std::string markdown() const;
 
  private:
   struct Column {

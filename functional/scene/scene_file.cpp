@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <tuple>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -118,14 +119,17 @@ void set_frame(Scene& scene, const CameraFile& file, int frame, const std::strin
   check_camera(scene.camera, place);
 }
 
-void set_size(Scene& scene, const TomlTable& table, const SceneOptions& options) {
-  const glm::dvec2 size = table.vec2("size", glm::dvec2(scene.width, scene.height),
-                                     {1.0, static_cast<double>(kMaxFrameEdge)});
+std::pair<int, int> read_size(const TomlTable& table, int width, int height) {
+  const glm::dvec2 size =
+      table.vec2("size", glm::dvec2(width, height), {1.0, static_cast<double>(kMaxFrameEdge)});
   if (size.x != std::floor(size.x) || size.y != std::floor(size.y)) {
     table.fail("size", "is not whole", "pixels [width, height]");
   }
-  scene.width = static_cast<int>(size.x);
-  scene.height = static_cast<int>(size.y);
+  return {static_cast<int>(size.x), static_cast<int>(size.y)};
+}
+
+void set_size(Scene& scene, const TomlTable& table, const SceneOptions& options) {
+  std::tie(scene.width, scene.height) = read_size(table, scene.width, scene.height);
   if (options.size) {
     const auto [width, height] = *options.size;
     if (width < 1 || height < 1 || width > kMaxFrameEdge || height > kMaxFrameEdge) {
@@ -161,6 +165,9 @@ Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
   set_frame(scene, read_camera(camera_table, width_by_height), options.frame, camera_table.place());
   const LightFile light = read_light(table.table("light"));
   scene.light = options.light_shape ? reshaped(light, *options.light_shape) : light.light;
+  scene.light.half_u *= options.light_scale;
+  scene.light.half_v *= options.light_scale;
+  scene.light.radius *= options.light_scale;
   if (!has_extent(scene.light)) scene.light.shape = LightShape::point;
   const ObjectContext context{
       {source.file.parent_path(), options.mesh, &scene.files}, options.repair, notes};
@@ -176,7 +183,23 @@ Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
   return scene;
 }
 
-std::string scene_name(const std::string& name_or_file) { return find_source(name_or_file).name; }
+SceneSource scene_source(const std::string& name_or_file) {
+  Source found = find_source(name_or_file);
+  const toml::table root = parse_toml(found.text, found.place);
+  const TomlTable table(root, found.place);
+  SceneSource source;
+  source.name = found.name;
+  if (!found.file.empty()) source.files.push_back(found.file);
+  for (const TomlTable& object : table.tables("object")) {
+    for (const char* key : {"file", "font"}) {
+      if (object.has(key)) source.files.push_back(found.file.parent_path() / object.text(key));
+    }
+  }
+  std::tie(source.width, source.height) = read_size(table, source.width, source.height);
+  source.frames = frame_count(read_camera(table.table("camera")).keys);
+  source.text = std::move(found.text);
+  return source;
+}
 
 std::vector<SceneInfo> built_in_scenes() {
   std::vector<SceneInfo> infos;

@@ -19,6 +19,7 @@ struct SceneOptions {
   /// Turns the light into another shape: a sphere of radius (|half_u| + |half_v|) / 2, a square of
   /// half axes as long as the radius that faces the light's target, or its centre alone.
   std::optional<LightShape> light_shape;
+  double light_scale = 1.0;  // of the light's half axes or radius, above 0
 };
 
 struct SceneInfo {
@@ -35,9 +36,18 @@ struct SceneInfo {
 Scene load_scene(const std::string& name_or_file, const SceneOptions& options = {},
                  std::vector<std::string>* notes = nullptr);
 
-/// The name of a scene, without reading more than it takes to know that it is there.
-/// \throws InputError if there is no such scene, or its file cannot be read
-std::string scene_name(const std::string& name_or_file);
+/// What a scene is made from.
+struct SceneSource {
+  std::string name;
+  std::string text;                          // of its file
+  std::vector<std::filesystem::path> files;  // its own, unless built in, meshes and fonts
+  int width = 640, height = 427;
+  int frames = 1;  // of the camera path
+};
+
+/// What can be known of a scene without its meshes, which need not be there.
+/// \throws InputError if there is no such scene, or if its file, its size or its camera is wrong
+SceneSource scene_source(const std::string& name_or_file);
 
 /// The scenes inside the program, by name.
 std::vector<SceneInfo> built_in_scenes();

@@ -37,14 +37,15 @@ TEST_F(Study, PrintsTablesAndKeepsEverything) {
     }
   }
   EXPECT_EQ(outcome.out.find(read_text(out / "summary.txt")), 0U);
+  EXPECT_EQ(read_text(out / "summary.md").find("## paper2: "), 0U);
   const Json result = Json::parse(read_text(out / "results.json"));
   EXPECT_EQ(result["schema"], "wedgesim.study/1");
-  ASSERT_EQ(result["scenes"].size(), 2U);
-  EXPECT_EQ(result["scenes"][1]["trace"]["name"], "cylinder");
-  const std::size_t configs = result["scenes"][0]["configs"].size();
+  ASSERT_EQ(result["frames"].size(), 2U);
+  EXPECT_EQ(result["frames"][1]["trace"]["name"], "cylinder");
+  EXPECT_EQ(result["points"].size(), 480U);
   const std::string csv = read_text(out / "results.csv");
-  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), 1 + 2 * configs);
-  EXPECT_EQ(csv.find("trace,checksum,mode,tile,"), 0U);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 481);
+  EXPECT_EQ(csv.find("label,scene,checksum,"), 0U);
 }
 
 TEST_F(Study, CountsAsCountDoes) {
@@ -54,37 +55,67 @@ TEST_F(Study, CountsAsCountDoes) {
   expect_good(run_command({"count", (out / "plain-columns.wtrace").string(), "--tile", "16",
                            "--cull", "sat", "--json", file.string()}));
   const Json counted = Json::parse(read_text(file))["configs"][0];
-  const auto& configs = result["scenes"][0]["configs"];
-  const auto found = std::find_if(configs.begin(), configs.end(), [&](const Json& config) {
-    return config["mode"] == counted["mode"] && config["tile"] == 16 &&
-           config["cull"] == counted["cull"] && config["share"] == counted["share"];
+  const auto& points = result["points"];
+  const auto found = std::find_if(points.begin(), points.end(), [&](const Json& point) {
+    const Json& config = point["configuration"];
+    return config["block.mode"] == counted["mode"] && config["block.tile"] == 16 &&
+           config["block.cull"] == "sat" && config["block.umbra_cull"] == "zmax" &&
+           config["block.accept"] == "none" && config["block.share"] == counted["share"];
   });
-  ASSERT_NE(found, configs.end());
-  EXPECT_EQ((*found)["counters"], counted["counters"]);
+  ASSERT_NE(found, points.end());
+  for (const auto& [counter, value] : counted["counters"].items()) {
+    EXPECT_EQ((*found)["metrics"][counter], value) << counter;
+  }
+  for (const char* metric : {"compared", "max_error", "rms_error", "mismatched"}) {
+    EXPECT_EQ((*found)["metrics"][metric], counted["pixels"][metric]) << metric;
+  }
+}
+
+TEST_F(Study, ASecondRunComputesNothing) {
+  expect_good(study({"--scenes", "cylinder"}));
+  const std::string csv = read_text(out / "results.csv");
+  const std::string json = read_text(out / "results.json");
+  const Outcome second = study({"--scenes", "cylinder"});
+  expect_good(second);
+  EXPECT_NE(second.out.find("All 240 points were there already: nothing was computed."),
+            std::string::npos);
+  EXPECT_EQ(read_text(out / "results.csv"), csv);
+  EXPECT_EQ(read_text(out / "results.json"), json) << "timing, too";
 }
 
 TEST_F(Study, TheSameStudyGivesTheSameTables) {
-  expect_good(study({"--scenes", "cylinder"}));
+  expect_good(study({"--scenes", "cylinder", "--jobs", "1"}));
   const std::string csv = read_text(out / "results.csv");
   const std::string summary = read_text(out / "summary.txt");
-  expect_good(study({"--scenes", "cylinder"}));
+  out = folder / "other";
+  expect_good(study({"--scenes", "cylinder", "--jobs", "3"}));
   EXPECT_EQ(read_text(out / "results.csv"), csv);
   EXPECT_EQ(read_text(out / "summary.txt"), summary);
 }
 
-TEST_F(Study, ASceneWithoutItsMeshIsLeftOutInOneLine) {
+TEST_F(Study, ASceneWithoutItsMeshFailsAndTheRestGoesOn) {
   write_text(folder / "broken.toml",
              "description = \"x\"\n[camera]\neye = [0.0, 3.0, 5.0]\ntarget = [0.0, 0.0, 0.0]\n"
              "[light]\nshape = \"point\"\ncentre = [0.0, 9.0, 0.0]\n"
              "[[object]]\nshape = \"mesh\"\nfile = \"/nowhere/x.obj\"\n");
   const Outcome outcome = study({"--scenes", (folder / "broken.toml").string() + ",cylinder"});
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
-  EXPECT_EQ(outcome.err.find("left out: " + (folder / "broken.toml").string() + ":10: /nowhere"),
-            0U)
-      << outcome.err;
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("240 of 480 points could not be measured"), std::string::npos);
+  EXPECT_NE(outcome.out.find((folder / "broken.toml").string() + ":10: /nowhere/x.obj"),
+            std::string::npos)
+      << outcome.out;
   EXPECT_TRUE(std::filesystem::exists(out / "cylinder.wtrace"));
   EXPECT_NE(outcome.out.find("cylinder: 64x48"), std::string::npos);
+}
+
+TEST_F(Study, MetricsAreListed) {
+  const Outcome outcome = run_command({"study", "--metrics"});
+  expect_good(outcome);
+  for (const char* word :
+       {"z_reads ", "over_floor ", "penumbra.busy_cycles ", "frames_per_second "}) {
+    EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
+  }
 }
 
 TEST_F(Study, BadInputIsRefused) {
@@ -96,10 +127,13 @@ TEST_F(Study, BadInputIsRefused) {
   expect_bad_input(study({"--scenes", "cylinder,nowhere"}), {"nowhere: no such scene"});
   expect_bad_input(study({"--scenes", "cylinder,/nowhere/x.toml"}), {"/nowhere/x.toml"});
   expect_bad_input(study({"--scenes", "cylinder,cylinder"}), {"cylinder", "the same files"});
+  expect_bad_input(study({"--scenes", "cylinder", "--jobs", "0"}), {"--jobs", "'0'"});
+  expect_bad_input(study({"--scenes", "cylinder", "--shard", "3/2"}), {"--shard", "3/2", "i/n"});
   EXPECT_EQ(folder.entries(), 0U);
   for (const char* name : {"a", "b"}) {
     std::filesystem::create_directory(folder / name);
-    write_text(folder / name / "s.toml", "");
+    write_text(folder / name / "s.toml",
+               "[camera]\neye = [0.0, 3.0, 5.0]\ntarget = [0.0, 0.0, 0.0]\n");
   }
   const std::string first = (folder / "a/s.toml").string();
   const std::string second = (folder / "b/s.toml").string();

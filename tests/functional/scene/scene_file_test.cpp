@@ -94,11 +94,34 @@ TEST_F(SceneFile, KnowsTheFilesItWasReadFrom) {
   EXPECT_EQ(load_scene("mesh").place, "mesh.toml");
 }
 
-TEST_F(SceneFile, NamesAreKnownWithoutReadingAll) {
-  EXPECT_EQ(scene_name("fractal"), "fractal");
-  EXPECT_EQ(scene_name(write("odd.name.toml", "no scene")), "odd.name");
-  EXPECT_THROW(scene_name("nowhere"), InputError);
-  EXPECT_THROW(scene_name("/nowhere/x.toml"), InputError);
+TEST_F(SceneFile, SourcesAreKnownWithoutMeshes) {
+  EXPECT_EQ(scene_source("fractal").name, "fractal");
+  EXPECT_EQ(scene_source("fractal").frames, 40);
+  EXPECT_EQ(scene_source("fractal").width, 640);
+  const std::string more =
+      edited("[[object]]", "[[object]]\nshape = \"mesh\"\nfile = \"nowhere.obj\"\n[[object]]");
+  const SceneSource source = scene_source(more);
+  const std::filesystem::path path(more);
+  EXPECT_EQ(source.files,
+            (std::vector<std::filesystem::path>{path, path.parent_path() / "nowhere.obj"}));
+  EXPECT_NE(source.text.find("nowhere.obj"), std::string::npos);
+  EXPECT_THROW(scene_source(write("odd.toml", "no scene")), InputError);
+  EXPECT_THROW(scene_source("nowhere"), InputError);
+  EXPECT_THROW(scene_source("/nowhere/x.toml"), InputError);
+}
+
+TEST_F(SceneFile, LightsAreScaled) {
+  SceneOptions options;
+  options.light_scale = 2.0;
+  const Light light = load_scene("plain-columns").light;
+  const Light larger = load_scene("plain-columns", options).light;
+  EXPECT_EQ(larger.half_u, 2.0 * light.half_u);
+  EXPECT_EQ(larger.half_v, 2.0 * light.half_v);
+  EXPECT_EQ(larger.centre, light.centre);
+  options.light_shape = LightShape::sphere;
+  const double radius = load_scene("plain-columns", options).light.radius;
+  options.light_scale = 1.0;
+  EXPECT_EQ(radius, 2.0 * load_scene("plain-columns", options).light.radius);
 }
 
 TEST_F(SceneFile, FoldersAreNoScenes) {

@@ -1,12 +1,12 @@
-#include "reports/savings.h"
+#include "reports/runner/savings.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "reports/accesses.h"
-#include "reports/table.h"
+#include "reports/runner/counted.h"
+#include "reports/runner/spread.h"
 
 namespace wedgesim::reports {
 namespace {
@@ -35,20 +35,21 @@ struct Savings {
   std::vector<double> reads, writes;  // per cent, one a scene and tile size
 };
 
-Savings savings_of(const StudyResults& results, const Comparison& comparison) {
+Savings savings_of(const Results& results, const CountedPoints& points,
+                   const Comparison& comparison) {
   Savings savings;
-  CountConfig three = results.study.pictured;
+  CountConfig three;
   three.mode = Mode::three_pass;
   three.accept = comparison.three_pass;
-  CountConfig single = results.study.pictured;
+  CountConfig single;
   single.mode = Mode::single_pass;
   single.accept = comparison.single_pass;
   single.share = comparison.share;
-  for (const SceneResults& scene : results.scenes) {
-    for (const unsigned tile : tiles_of(results.study)) {
+  for (const FrameRow& frame : results.frames) {
+    for (const unsigned tile : points.tiles()) {
       three.tile = single.tile = tile;
-      const auto* from = find(scene, three);
-      const auto* to = find(scene, single);
+      const PointRow* from = points.find(frame.label, three);
+      const PointRow* to = points.find(frame.label, single);
       if (from == nullptr || to == nullptr) continue;
       const Accesses a = accesses_of(*from);
       const Accesses b = accesses_of(*to);
@@ -66,17 +67,15 @@ void append_spread(std::vector<std::string>& cells, std::vector<double> values) 
     return;
   }
   std::ranges::sort(values);
-  const std::size_t half = values.size() / 2;
-  const double median =
-      values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-  for (const double value : {values.front(), median, values.back()}) {
+  for (const double value : {values.front(), quantile(values, 0.5), values.back()}) {
     cells.push_back(fmt::format("{:.1f}", value));
   }
 }
 
 }  // namespace
 
-std::string savings_text(const StudyResults& results) {
+Document savings_text(const Results& results) {
+  const CountedPoints points(results);
   Table table;
   table.add_column("", Table::Align::left);
   for (const char* group : {"z reads saved %", "LI writes saved %"}) {
@@ -86,7 +85,7 @@ std::string savings_text(const StudyResults& results) {
   }
   bool any = false;
   for (const Comparison& comparison : kComparisons) {
-    const Savings savings = savings_of(results, comparison);
+    const Savings savings = savings_of(results, points, comparison);
     if (savings.reads.empty() && savings.writes.empty()) continue;
     any = true;
     std::vector<std::string> cells{comparison.name};
@@ -94,10 +93,12 @@ std::string savings_text(const StudyResults& results) {
     append_spread(cells, savings.writes);
     table.add_row(std::move(cells));
   }
-  if (!any) return {};
+  Document document;
+  if (!any) return document;
   table.add_row({"Paper II claims", "30", "", "60", "", "5", ""});
-  return "What single-pass saves against three-pass, over all scenes and tile sizes\n\n" +
-         table.text(2);
+  document.heading("What single-pass saves against three-pass, over all scenes and tile sizes");
+  document.table(std::move(table));
+  return document;
 }
 
 }  // namespace wedgesim::reports

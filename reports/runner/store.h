@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "reports/runner/results.h"
+#include "reports/runner/sqlite.h"
+
+namespace wedgesim::reports {
+
+/// The file of results in a study's folder.
+std::filesystem::path results_path(const std::filesystem::path& folder);
+
+/// A point's place in its study: frame times the number of configurations plus configuration.
+using Position = std::int64_t;
+
+/// The results of a study in SQLite, one transaction a point (docs/studies.md has the schema). Rows
+/// that other sources made (sources.h) are there no more for it, nor rows of frames and points that
+/// the study does not hold; the next run of a study that does hold them finds them again.
+class Store {
+ public:
+  /// Opens or makes the file, alone.
+  /// \param sources  the hash of what decides results
+  /// \throws InputError if it cannot be written, or another run works on it
+  Store(const std::filesystem::path& folder, std::string sources);
+  /// Leaves one file, which can be read where nothing can be written.
+  ~Store();
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
+
+  /// Says what the study is. Its frames and points have no place in it until they are kept.
+  void begin(const StudyHead& study, std::int64_t points);
+
+  /// Frames that were rendered, or failed, by key.
+  std::map<std::string, FrameRow> known_frames();
+  /// Puts a frame at its place.
+  void keep(const FrameRow& frame, std::int64_t position);
+
+  /// States of the points of a frame, by key.
+  std::map<std::string, PointState> point_states(const std::string& frame);
+  /// Puts points that are there at their places.
+  void place(const std::string& frame, const std::map<std::string, Position>& positions);
+  /// Adds a point, or replaces it.
+  void keep(const PointRow& point, Position position);
+
+  /// Seconds that points took before, by measure and frame.
+  std::map<std::pair<std::string, std::string>, std::vector<double>> seconds();
+
+ private:
+  Database database_;
+  std::string sources_;
+};
+
+/// All that a folder holds of its study.
+/// \throws InputError if there are no results
+Results read_results(const std::filesystem::path& folder);
+
+/// The hash of the sources that made them.
+std::string read_sources(const std::filesystem::path& folder);
+
+std::string_view spelling(PointState state);
+
+}  // namespace wedgesim::reports
