@@ -196,7 +196,7 @@ SceneSource scene_source(const std::string& name_or_file) {
     }
   }
   std::tie(source.width, source.height) = read_size(table, source.width, source.height);
-  source.frames = frame_count(read_camera(table.table("camera")).keys);
+  source.frames = frame_count(read_camera(table.table("camera"), 1.0).keys);
   source.text = std::move(found.text);
   return source;
 }
