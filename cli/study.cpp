@@ -3,10 +3,12 @@
 #include <cstdlib>
 #include <memory>
 
+#include "base/file.h"
 #include "cli/command.h"
 #include "cli/parse.h"
 #include "cli/print.h"
 #include "cli/progress.h"
+#include "reports/claims/claims.h"
 #include "reports/runner/metrics.h"
 #include "reports/runner/runner.h"
 #include "reports/runner/store.h"
@@ -17,7 +19,7 @@ namespace wedgesim::cli {
 namespace {
 
 struct Arguments {
-  std::string name, folder, scenes, size, jobs, shard;
+  std::string name, folder, scenes, size, jobs, shard, claims;
   bool retry = false, list_metrics = false;
 };
 
@@ -59,6 +61,17 @@ std::string counts_text(const reports::RunCounts& counts) {
                      counts.points, counts.measured);
 }
 
+// The table of the claims; writes their page into the folder and where the user wants it.
+std::string claims_text(const Arguments& arguments, const std::filesystem::path& folder,
+                        const reports::Results& results) {
+  if (!results.study.claims) return {};
+  const auto claims = reports::judge_claims(reports::built_in_claims(), results);
+  const std::string page = reports::claims_page(claims, results).markdown();
+  write_file(folder / "claims.md", page);
+  if (!arguments.claims.empty()) write_file(arguments.claims, page);
+  return reports::claims_table(claims).text() + '\n';
+}
+
 int list_metrics() {
   reports::Table table;
   for (const char* title : {"metric", "unit", "what"}) {
@@ -74,6 +87,10 @@ int list_metrics() {
 int run(const Arguments& arguments) {
   if (arguments.list_metrics) return list_metrics();
   const reports::Study study = read_study(arguments);
+  if (!arguments.claims.empty() && !study.head.claims) {
+    throw InputError("--claims", study.head.name + " measures no claims",
+                     "the study claims, or one with claims = true");
+  }
   reports::RunOptions options = options_of(arguments, study.head.name);
   reports::RunCounts counts;
   {
@@ -84,6 +101,7 @@ int run(const Arguments& arguments) {
   const reports::Results results = reports::read_results(options.folder);
   reports::write_results(options.folder, results);
   std::string text = reports::summary(results).text() + '\n';
+  text += claims_text(arguments, options.folder, results);
   if (const std::string kept = counts_text(counts); !kept.empty()) text += kept + '\n';
   text +=
       fmt::format("These tables, results.csv, results.json, results.sqlite and traces are in {}/\n",
@@ -114,6 +132,9 @@ Command add_study(CLI::App& program) {
                   "The i-th of n parts, into DIR/shard-i-of-n; a Slurm array or mpirun chooses it "
                   "without this")
       ->type_name("i/n");
+  app->add_option("--claims", arguments->claims,
+                  "Also write the page of the papers' claims here (the study claims)")
+      ->type_name("FILE.md");
   app->add_flag("--retry", arguments->retry, "Measure points again that failed before");
   app->add_flag("--metrics", arguments->list_metrics, "List all metrics, and do no more");
   app->footer("Example:\n  wedgesim study paper2 -o out/paper2");

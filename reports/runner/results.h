@@ -60,6 +60,7 @@ struct StudyHead {
   std::vector<std::string> metrics;  // that its tables show
   std::vector<Plot> plots;
   bool modes_tables = false;  // Paper II's tables of both modes, scene by scene, in the summary
+  bool claims = false;        // the papers' claims are held against it
   bool check_pixels = true;   // a pixel beyond its tolerance is a failure; else a result
 };
 

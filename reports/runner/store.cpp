@@ -55,6 +55,7 @@ Json head_json(const StudyHead& study) {
           {"by", study.by},
           {"metrics", study.metrics},
           {"modes_tables", study.modes_tables},
+          {"claims", study.claims},
           {"check_pixels", study.check_pixels},
           {"plots", plots}};
 }
@@ -69,6 +70,7 @@ StudyHead head_of(const Json& json) {
   json.at("by").get_to(study.by);
   json.at("metrics").get_to(study.metrics);
   json.at("modes_tables").get_to(study.modes_tables);
+  json.at("claims").get_to(study.claims);
   json.at("check_pixels").get_to(study.check_pixels);
   for (const Json& plot : json.at("plots")) {
     study.plots.push_back(

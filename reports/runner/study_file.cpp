@@ -52,6 +52,7 @@ class StudyReader {
     head.question = table_.text("question", "");
     measure_ = parse_measure(table_.place("measure"), table_.text("measure", "count"));
     head.modes_tables = table_.boolean("modes_tables", false);
+    head.claims = table_.boolean("claims", false);
     head.check_pixels = table_.boolean("check_pixels", true);
     study_.pictures = table_.boolean("pictures", false);
     study_.time_limit_seconds =

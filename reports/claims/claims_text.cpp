@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include "reports/claims/claims.h"
+#include "reports/table.h"
+
+namespace wedgesim::reports {
+namespace {
+
+std::string band_of(const Claim& claim) {
+  return claim.low == claim.high
+             ? fmt::format("{:g} {}", claim.low, claim.unit)
+             : fmt::format("{:g} to {:g} {}", claim.low, claim.high, claim.unit);
+}
+
+std::string value_of(const Claim& claim, const Measured& measured) {
+  if (measured.values.empty()) return "-";
+  const int digits = claim.unit == "times" ? 2 : claim.unit == "pixels" ? 0 : 1;
+  const Spread& spread = measured.spread;
+  const double value = claim.most ? measured.most : spread.median;
+  return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", value, digits, spread.low, digits, spread.high,
+                     digits);
+}
+
+std::string first_value(const ClaimResult& result) {
+  return result.measured.empty() ? "-" : value_of(*result.claim, result.measured.front());
+}
+
+Table table_of(std::span<const ClaimResult> claims) {
+  Table table;
+  for (const char* title : {"claim", "Paper, section", "the paper", "measured", "verdict"}) {
+    table.add_column(title, Table::Align::left);
+  }
+  for (const ClaimResult& result : claims) {
+    const Claim& claim = *result.claim;
+    table.add_row({claim.id, claim.paper + ", " + claim.section, band_of(claim),
+                   first_value(result), std::string(spelling(result.verdict))});
+  }
+  return table;
+}
+
+Table measured_table(const ClaimResult& result) {
+  const Claim& claim = *result.claim;
+  Table table;
+  table.add_column("measured as", Table::Align::left);
+  for (const char* title : {"value", "in the band", "values"}) {
+    table.add_column(title, Table::Align::right);
+  }
+  for (std::size_t i = 0; i < result.measured.size(); ++i) {
+    const Measured& measured = result.measured[i];
+    table.add_row({claim.measured[i].definition, value_of(claim, measured),
+                   measured.values.empty() ? "-" : fmt::format("{:.0f} %", 100 * measured.within),
+                   std::to_string(measured.values.size())});
+  }
+  return table;
+}
+
+}  // namespace
+
+Document claims_table(std::span<const ClaimResult> claims) {
+  Document document;
+  document.heading("Claims of the papers");
+  document.paragraph(
+      "Measured: the median, or the largest where the paper says up to, and in parentheses the 5th "
+      "to 95th percentile, over frames and tiles.");
+  document.table(table_of(claims));
+  return document;
+}
+
+Document claims_page(std::span<const ClaimResult> claims, const Results& results) {
+  Document document = claims_table(claims);
+  document.paragraph(
+      fmt::format("Over {} frames. Made by `wedgesim study claims --claims FILE` from "
+                  "`reports/claims.toml`: do not edit.",
+                  results.frames.size()));
+  for (const ClaimResult& result : claims) {
+    const Claim& claim = *result.claim;
+    document.heading(claim.id);
+    std::string text =
+        fmt::format("{} (Paper {}, section {}). Band: {}. Verdict: {}{}.", claim.says, claim.paper,
+                    claim.section, band_of(claim), spelling(result.verdict),
+                    result.because.empty() ? "" : "; " + result.because);
+    if (!claim.scenes.empty()) text += fmt::format(" Scenes: {}.", fmt::join(claim.scenes, ", "));
+    document.paragraph(text);
+    if (!result.measured.empty()) document.table(measured_table(result));
+  }
+  return document;
+}
+
+}  // namespace wedgesim::reports
