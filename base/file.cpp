@@ -24,6 +24,24 @@ bool is_written_into(const fs::path& path) {
   return fs::is_symlink(path, error) || fs::is_other(path, error);
 }
 
+void require_file_name(const fs::path& path) {
+  if (!path.has_filename()) throw InputError(path.string(), "is no file name", "a file name");
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    throw InputError(path.string(), "is a folder", "a file name");
+  }
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+// The extension stays, because image writers choose the format by it.
+fs::path temporary_of(const fs::path& folder, const fs::path& path) {
+  return folder /
+         fmt::format(".{}.{}{}", path.stem().string(), getpid(), path.extension().string());
+}
+
 void copy_into(const fs::path& from, const fs::path& path) {
   std::ifstream in(from, std::ios::binary);
   std::ofstream out(path, std::ios::binary);
@@ -64,24 +82,38 @@ void require_apart(std::span<const fs::path> outputs) {
   }
 }
 
+void require_writable(const fs::path& path) {
+  require_file_name(path);
+  std::error_code error;
+  if (is_written_into(path)) {
+    if (!fs::exists(path, error) || access(path.c_str(), W_OK) == 0) return;
+    throw InputError(path.string(), std::strerror(errno), "a writable file");
+  }
+  fs::path folder = folder_of(path);
+  while (!fs::exists(folder, error) && folder.has_relative_path()) {
+    folder = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
+  }
+  if (!fs::is_directory(folder, error)) {
+    throw InputError(path.string(), "its folder cannot be made", "a writable folder");
+  }
+  const fs::path temporary = temporary_of(folder, path);
+  const RemovedOnSignal removed(temporary);
+  const bool written = std::ofstream(temporary, std::ios::binary).is_open();
+  fs::remove(temporary, error);
+  if (!written) throw InputError(path.string(), "cannot be written", "a writable folder");
+}
+
 void write_atomically(const fs::path& path,
                       const std::function<void(const fs::path& temporary)>& write) {
-  if (!path.has_filename()) throw InputError(path.string(), "is no file name", "a file name");
+  require_file_name(path);
   const bool into = is_written_into(path);
   std::error_code error;
-  const fs::path folder = into                     ? fs::temp_directory_path()
-                          : path.has_parent_path() ? path.parent_path()
-                                                   : fs::path(".");
+  const fs::path folder = into ? fs::temp_directory_path() : folder_of(path);
   fs::create_directories(folder, error);
   if (error || !fs::is_directory(folder, error)) {
     throw InputError(path.string(), "its folder cannot be made", "a writable folder");
   }
-  if (fs::is_directory(path, error)) {
-    throw InputError(path.string(), "is a folder", "a file name");
-  }
-  // The extension stays, because image writers choose the format by it.
-  const fs::path temporary =
-      folder / fmt::format(".{}.{}{}", path.stem().string(), getpid(), path.extension().string());
+  const fs::path temporary = temporary_of(folder, path);
   const RemovedOnSignal removed(temporary);
   try {
     write(temporary);

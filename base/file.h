@@ -18,6 +18,11 @@ void require_not_read(const std::filesystem::path& output,
 /// \throws InputError if two of `outputs` are the same file; empty paths are none
 void require_apart(std::span<const std::filesystem::path> outputs);
 
+/// Refuses what write_atomically could not write, before long work and before another output is
+/// there. Leaves nothing behind.
+/// \throws InputError as write_atomically does
+void require_writable(const std::filesystem::path& path);
+
 /// Writes a file whole or not at all: `write` gets a temporary path in the same folder, which is
 /// renamed to `path` when it returns and removed when it throws. Makes missing folders. A device,
 /// pipe or symbolic link is not replaced: the finished bytes are copied into it.

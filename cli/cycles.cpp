@@ -23,13 +23,32 @@ namespace {
 
 struct Arguments {
   std::string file, config = "paper2-single", json, memory_trace, memory_trace_format = "csv",
-                    energy, maps, timeline, vcd, window;
+                    memory_trace_request_bytes = "64", memory_trace_mhz, energy, maps, timeline,
+                    vcd, window;
   bool clocked = false, print_config = false;
 };
 
 std::optional<model::memory::EnergyTable> energy_of(const Arguments& arguments) {
   if (arguments.energy.empty()) return {};
   return model::memory::read_energy(std::filesystem::path(arguments.energy));
+}
+
+reports::MemoryTraceOptions memory_trace_of(const Arguments& arguments,
+                                            const model::BlockConfig& config,
+                                            std::uint64_t checksum) {
+  reports::MemoryTraceOptions options;
+  options.format =
+      reports::memory_trace_format(arguments.memory_trace_format, "--memory-trace-format");
+  options.request_bytes =
+      parse_integer("--memory-trace-request-bytes", arguments.memory_trace_request_bytes, 8, 4096);
+  options.block_mhz = config.clock_mhz;
+  options.memory_mhz = config.memory.dram.clock_mhz;
+  if (!arguments.memory_trace_mhz.empty()) {
+    options.memory_mhz = parse_integer("--memory-trace-mhz", arguments.memory_trace_mhz, 1, 10000);
+  }
+  options.configuration = reports::hash_of(config);
+  options.trace = fmt::format("{:016x}", checksum);
+  return options;
 }
 
 reports::CyclesReport run_block(const Arguments& arguments, const traces::TraceView& trace,
@@ -48,12 +67,8 @@ reports::CyclesReport run_block(const Arguments& arguments, const traces::TraceV
   progress.show(fmt::format("{}: the block at work", trace.header.name));
   const reports::CheckedFrame frame = reports::check_frame(trace, config);
   if (arguments.memory_trace.empty()) return reports::run_cycles(frame, config, options, table);
-  reports::MemoryTraceOptions trace_options;
-  trace_options.format =
-      reports::memory_trace_format(arguments.memory_trace_format, "--memory-trace-format");
-  trace_options.block_mhz = config.clock_mhz;
-  trace_options.memory_mhz = config.memory.dram.clock_mhz;
-  trace_options.trace = fmt::format("{:016x}", trace.header.checksum);
+  const reports::MemoryTraceOptions trace_options =
+      memory_trace_of(arguments, config, trace.header.checksum);
   std::optional<reports::CyclesReport> report;
   write_stream(arguments.memory_trace, [&](std::ostream& out) {
     reports::MemoryTraceWriter writer(out, trace_options);
@@ -63,12 +78,25 @@ reports::CyclesReport run_block(const Arguments& arguments, const traces::TraceV
   return *report;
 }
 
-// The cycles that a timeline shows: all, or FROM,TO.
+// The cycles that a timeline shows: all, or a window.
 reports::Timeline timeline_of(const Arguments& arguments) {
-  if (arguments.window.empty()) return {0, std::numeric_limits<std::uint64_t>::max()};
-  const auto [from, to] = parse_point("--window", arguments.window);
-  if (from >= to) throw InputError("--window", arguments.window, "FROM,TO with FROM below TO");
-  return {static_cast<std::uint64_t>(from), static_cast<std::uint64_t>(to)};
+  std::pair<std::uint64_t, std::uint64_t> window{0, std::numeric_limits<std::uint64_t>::max()};
+  if (!arguments.window.empty()) window = parse_window("--window", arguments.window);
+  return {window.first, window.second, model::kBlockUnits};
+}
+
+std::vector<std::filesystem::path> outputs_of(const Arguments& arguments) {
+  std::vector<std::filesystem::path> outputs;
+  for (const char* map : {"_tile_bytes", "_tile_cycles"}) {
+    for (const char* kind : {".png", ".exr"}) {
+      if (!arguments.maps.empty()) outputs.emplace_back(arguments.maps + map + kind);
+    }
+  }
+  for (const std::string& output :
+       {arguments.json, arguments.memory_trace, arguments.timeline, arguments.vcd}) {
+    if (!output.empty()) outputs.emplace_back(output);
+  }
+  return outputs;
 }
 
 int run(const Arguments& arguments) {
@@ -82,18 +110,10 @@ int run(const Arguments& arguments) {
   const std::array inputs{std::filesystem::path(arguments.file),
                           std::filesystem::path(arguments.config),
                           std::filesystem::path(arguments.energy)};
-  std::vector<std::filesystem::path> outputs;
-  for (const char* map : {"_tile_bytes", "_tile_cycles"}) {
-    for (const char* kind : {".png", ".exr"}) {
-      if (!arguments.maps.empty()) outputs.emplace_back(arguments.maps + map + kind);
-    }
-  }
-  for (const std::string& output :
-       {arguments.json, arguments.memory_trace, arguments.timeline, arguments.vcd}) {
-    if (!output.empty()) outputs.emplace_back(output);
-  }
+  const std::vector<std::filesystem::path> outputs = outputs_of(arguments);
   for (const auto& output : outputs) require_not_read(output, inputs);
   require_apart(outputs);
+  for (const auto& output : outputs) require_writable(output);
   reports::Timeline timeline = timeline_of(arguments);
   const bool listens = !arguments.timeline.empty() || !arguments.vcd.empty();
   const reports::CyclesReport report =
@@ -131,6 +151,15 @@ Command add_cycles(CLI::App& program) {
                   "Of that file: csv, dramsys, dramsim3, ramulator")
       ->type_name("NAME")
       ->capture_default_str();
+  app->add_option("--memory-trace-request-bytes", arguments->memory_trace_request_bytes,
+                  "dramsim3, ramulator: what a line stands for, a power of two from 8 to 4096")
+      ->type_name("N")
+      ->capture_default_str();
+  app->add_option(
+         "--memory-trace-mhz", arguments->memory_trace_mhz,
+         "dramsim3: the memory clock that it counts in; without it the DRAM's, 1600 behind "
+         "an ideal memory")
+      ->type_name("N");
   app->add_option("--energy", arguments->energy,
                   "What accesses cost, TOML: datapath_word_pj, cache_access_pj, dram_byte_pj, "
                   "dram_activate_pj")
@@ -143,7 +172,7 @@ Command add_cycles(CLI::App& program) {
       ->type_name("FILE");
   app->add_option("--vcd", arguments->vcd, "The same as a value change dump")->type_name("FILE");
   app->add_option("--window", arguments->window, "Cycles that both show; all without it")
-      ->type_name("FROM,TO");
+      ->type_name("BEGIN,END");
   app->footer("Example:\n  wedgesim cycles out/paper2/bunny.wtrace --config paper2-single");
   return {app, [arguments] { return run(*arguments); }};
 }

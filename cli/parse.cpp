@@ -68,6 +68,18 @@ std::pair<int, int> parse_point(std::string_view option, std::string_view text) 
   return *point;
 }
 
+std::pair<std::uint64_t, std::uint64_t> parse_window(std::string_view option,
+                                                     std::string_view text) {
+  const std::size_t middle = std::min(text.find(','), text.size());
+  const auto begin = number_of<std::uint64_t>(text.substr(0, middle));
+  const auto end = number_of<std::uint64_t>(text.substr(std::min(middle + 1, text.size())));
+  if (!begin || !end || *begin >= *end) {
+    throw InputError(option, fmt::format("'{}' is not a window", text),
+                     "BEGIN,END cycles, BEGIN below END");
+  }
+  return {*begin, *end};
+}
+
 std::vector<std::string> parse_list(std::string_view option, std::string_view text) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= text.size();) {

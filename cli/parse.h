@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -26,6 +27,10 @@ std::pair<int, int> parse_size(std::string_view option, std::string_view text);
 
 /// "12,34": two whole numbers, not negative.
 std::pair<int, int> parse_point(std::string_view option, std::string_view text);
+
+/// "100,2000": two whole numbers, the first below the second: the cycles from 100 to before 2000.
+std::pair<std::uint64_t, std::uint64_t> parse_window(std::string_view option,
+                                                     std::string_view text);
 
 /// "a,b,c": the parts between commas, none empty.
 std::vector<std::string> parse_list(std::string_view option, std::string_view text);

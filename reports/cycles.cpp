@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "model/block/config_keys.h"
 #include "reports/picture.h"
 #include "reports/port_profile.h"
-#include "reports/table.h"
 
 namespace wedgesim::reports {
 namespace {
@@ -52,11 +50,16 @@ model::PixelCheck check_pixels(const traces::TraceView& trace, const model::Reco
   return check;
 }
 
-std::uint64_t statistic(const BlockResult& result, std::string_view name) {
+std::optional<std::uint64_t> statistic(const BlockResult& result, std::string_view name) {
   for (const model::Statistic& statistic : result.memory) {
     if (statistic.name == name) return statistic.value;
   }
-  return 0;
+  return {};
+}
+
+std::optional<double> fraction(std::uint64_t part, std::uint64_t whole) {
+  if (whole == 0) return {};
+  return static_cast<double>(part) / static_cast<double>(whole);
 }
 
 model::memory::EnergyCounts energy_counts(const CyclesReport& report) {
@@ -66,12 +69,12 @@ model::memory::EnergyCounts energy_counts(const CyclesReport& report) {
                           c.stencil_reads.value() + c.li_writes.value() + c.merge_reads.value() +
                           c.merge_writes.value();
   for (const model::CacheResult& cache : report.result.caches) {
-    counts.cache_accesses += cache.hits + cache.misses;
+    if (cache.size_bytes > 0) counts.cache_accesses += cache.hits + cache.misses;
   }
-  const bool dram = report.config.memory.kind == model::MemoryKind::dram;
-  counts.dram_bytes = dram ? statistic(report.result, "bytes") : report.result.port_bytes();
-  counts.dram_activates =
-      statistic(report.result, "row_misses") + statistic(report.result, "row_conflicts");
+  // An ideal memory moves the port's bytes and opens no rows.
+  counts.dram_bytes = burst_bytes(report.result).value_or(report.result.port_bytes());
+  counts.dram_activates = statistic(report.result, "row_misses").value_or(0) +
+                          statistic(report.result, "row_conflicts").value_or(0);
   return counts;
 }
 
@@ -87,101 +90,6 @@ std::vector<std::uint64_t> tile_cycles_of(const model::RecordedFrame& frame, int
     }
   }
   return cycles;
-}
-
-double percent(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-}
-
-Json configuration_json(const model::BlockConfig& config) {
-  model::BlockConfig values = config;
-  const model::CountConfig& r = config.rasterizer;
-  Json json{{"name", config.name}};
-  json["block"] = {{"mode", spelling(r.mode)},     {"tile", r.tile},
-                   {"cull", spelling(r.cull)},     {"umbra_cull", spelling(r.umbra_cull)},
-                   {"accept", spelling(r.accept)}, {"share", spelling(r.share)},
-                   {"z", spelling(r.z)},           {"tile_build", spelling(r.tile_build)}};
-  for (const model::BlockKey& key : model::kBlockKeys) {
-    json[std::string(key.section)][std::string(key.key)] = key.of(values);
-  }
-  json["li_update"]["clear"] = model::spelling(config.li_update.clear);
-  json["memory"]["kind"] = model::spelling(config.memory.kind);
-  if (config.memory.kind == model::MemoryKind::dram) {
-    for (const model::memory::DramKey& key : model::memory::kDramKeys) {
-      json["memory"]["dram"][std::string(key.key)] = config.memory.dram.*key.value;
-    }
-  }
-  json["formats"] = to_json(config.formats);
-  return json;
-}
-
-Json units_json(const BlockResult& result) {
-  Json units = Json::array();
-  for (const model::UnitResult& unit : result.units) {
-    Json json{{"name", unit.name},
-              {"busy_cycles", unit.busy},
-              {"starved_cycles", unit.starved},
-              {"stalled_cycles", unit.stalled},
-              {"memory_cycles", unit.memory}};
-    for (const model::Statistic& statistic : unit.statistics) {
-      if (!json.contains(statistic.name)) json[statistic.name] = statistic.value;
-    }
-    units.push_back(std::move(json));
-  }
-  return units;
-}
-
-Json memory_json(const CyclesReport& report) {
-  const BlockResult& result = report.result;
-  Json caches = Json::array();
-  for (const model::CacheResult& cache : result.caches) {
-    caches.push_back({{"name", cache.name},
-                      {"hits", cache.hits},
-                      {"misses", cache.misses},
-                      {"write_backs", cache.write_backs}});
-  }
-  Json surfaces = Json::array();
-  for (const model::TrafficResult& traffic : result.traffic) {
-    surfaces.push_back({{"name", traffic.surface},
-                        {"reads", traffic.reads},
-                        {"writes", traffic.writes},
-                        {"read_bytes", traffic.read_bytes},
-                        {"write_bytes", traffic.write_bytes}});
-  }
-  Json memory = Json::object();
-  for (const model::Statistic& statistic : result.memory) memory[statistic.name] = statistic.value;
-  return {{"datapath_bytes", report.datapath_bytes},
-          {"line_bytes", result.port_bytes()},
-          {"floor_bytes", report.floor_bytes},
-          {"peak_bytes_per_cycle", result.peak_bytes_per_cycle},
-          {"busiest_bytes_per_cycle", report.peak_bytes_per_cycle},
-          {"caches", caches},
-          {"surfaces", surfaces},
-          {"model", memory}};
-}
-
-Json energy_json(const CyclesReport& report) {
-  if (!report.energy) return {};
-  return {{"datapath", report.energy->datapath},
-          {"caches", report.energy->cache},
-          {"dram_bytes", report.energy->dram_bytes},
-          {"dram_activates", report.energy->dram_activates},
-          {"total", report.energy->total()}};
-}
-
-std::string row_of_rates(const CyclesReport& report) {
-  const auto cycles = static_cast<double>(std::max<model::memory::Cycle>(report.result.cycles, 1));
-  const double seconds = cycles / (1e6 * report.config.clock_mhz);
-  const double bytes = static_cast<double>(report.result.port_bytes());
-  return fmt::format(
-      "{:.1f} frames/s and {:.2f} GB/s at {} MHz, {:.2f} GB/s asked for in the busiest {} cycles "
-      "(the "
-      "memory's "
-      "peak is {:.1f}); {:.2f} bytes at the port for each byte that must move\n",
-      1.0 / seconds, bytes / seconds / 1e9, report.config.clock_mhz,
-      report.peak_bytes_per_cycle * report.config.clock_mhz / 1e3, PortProfile::kWindowCycles,
-      report.result.peak_bytes_per_cycle * report.config.clock_mhz / 1e3,
-      bytes / static_cast<double>(std::max<std::uint64_t>(report.floor_bytes, 1)));
 }
 
 }  // namespace
@@ -228,6 +136,36 @@ CyclesReport run_cycles(const CheckedFrame& checked, const model::BlockConfig& c
   return report;
 }
 
+std::optional<double> hit_rate(const model::CacheResult& cache) {
+  if (cache.size_bytes == 0) return {};
+  return fraction(cache.hits, cache.hits + cache.misses);
+}
+
+std::optional<double> row_hit_rate(const BlockResult& result) {
+  const std::uint64_t hits = statistic(result, "row_hits").value_or(0);
+  return fraction(hits, hits + statistic(result, "row_misses").value_or(0) +
+                            statistic(result, "row_conflicts").value_or(0));
+}
+
+std::optional<std::uint64_t> burst_bytes(const BlockResult& result) {
+  return statistic(result, "row_hits") ? statistic(result, "bytes") : std::nullopt;
+}
+
+Rates rates_of(const CyclesReport& report) {
+  const BlockResult& result = report.result;
+  const auto cycles = static_cast<double>(std::max<model::memory::Cycle>(result.cycles, 1));
+  const double hertz = 1e6 * report.config.clock_mhz;
+  const auto bytes = static_cast<double>(result.port_bytes());
+  Rates rates;
+  rates.frames_per_second = hertz / cycles;
+  rates.port_gb_per_second = bytes * rates.frames_per_second / 1e9;
+  rates.busiest_gb_per_second = report.peak_bytes_per_cycle * hertz / 1e9;
+  rates.peak_gb_per_second = result.peak_bytes_per_cycle * hertz / 1e9;
+  rates.port_bytes_over_floor =
+      bytes / static_cast<double>(std::max<std::uint64_t>(report.floor_bytes, 1));
+  return rates;
+}
+
 bool held(const CyclesReport& report) { return report.pixels.mismatched == 0; }
 
 std::string write_tile_maps(const std::string& prefix, const CyclesReport& report) {
@@ -252,96 +190,6 @@ std::string write_tile_maps(const std::string& prefix, const CyclesReport& repor
     scales += fmt::format("{}{}: from 0 to {:.0f}\n", prefix, name, most);
   }
   return scales;
-}
-
-Json cycles_json(const CyclesReport& report) {
-  Json counters = Json::object();
-  for (const Counter* counter : report.counters().counters()) {
-    counters[std::string(counter->name())] = counter->value();
-  }
-  const auto& first = report.frame->datapath().first_overflow();
-  return {{"schema", "wedgesim.cycles/1"},
-          {"trace", to_json(report.trace)},
-          {"configuration", configuration_json(report.config)},
-          {"cycles", report.result.cycles},
-          {"tile", report.config.rasterizer.tile},
-          {"z", report.z_fail ? "fail" : "pass"},
-          {"bottleneck", report.result.bottleneck().name},
-          {"counters", counters},
-          {"units", units_json(report.result)},
-          {"memory", memory_json(report)},
-          {"pixels",
-           {{"compared", report.pixels.compared},
-            {"max_error", report.pixels.max_error},
-            {"mismatched", report.pixels.mismatched},
-            {"tolerance", report.pixels.tolerance}}},
-          {"first_overflow", first ? Json(*first) : Json()},
-          {"energy_picojoules", energy_json(report)},
-          {"timing", {{"value_seconds", report.value_seconds}, {"seconds", report.seconds}}}};
-}
-
-std::string cycles_text(const CyclesReport& report) {
-  const BlockResult& result = report.result;
-  std::string text = fmt::format(
-      "{}: {}x{}, {} wedges; {}: {}, tile {}, z-{}\n\n{} cycles, the bottleneck is {}\n",
-      report.trace.name, report.trace.width, report.trace.height, report.trace.wedges,
-      report.config.name, spelling(report.config.rasterizer.mode), report.config.rasterizer.tile,
-      report.z_fail ? "fail" : "pass", grouped(result.cycles), result.bottleneck().name);
-  text += row_of_rates(report) + '\n';
-  Table units;
-  units.add_column("unit", Table::Align::left);
-  for (const char* title : {"busy", "starved", "stalled", "on memory", "busy %"}) {
-    units.add_column(title, Table::Align::right);
-  }
-  for (const model::UnitResult& unit : result.units) {
-    units.add_row({unit.name, grouped(unit.busy), grouped(unit.starved), grouped(unit.stalled),
-                   grouped(unit.memory), fmt::format("{:.1f}", percent(unit.busy, result.cycles))});
-  }
-  text += units.text() + '\n';
-  Table caches;
-  caches.add_column("cache", Table::Align::left);
-  for (const char* title : {"hits", "misses", "hit %", "written back"}) {
-    caches.add_column(title, Table::Align::right);
-  }
-  for (const model::CacheResult& cache : result.caches) {
-    caches.add_row({cache.name, grouped(cache.hits), grouped(cache.misses),
-                    fmt::format("{:.1f}", percent(cache.hits, cache.hits + cache.misses)),
-                    grouped(cache.write_backs)});
-  }
-  text += caches.text() + '\n';
-  Table bytes;
-  bytes.add_column("bytes", Table::Align::left);
-  for (const char* title : {"read", "written"}) bytes.add_column(title, Table::Align::right);
-  for (const model::TrafficResult& traffic : result.traffic) {
-    bytes.add_row({traffic.surface, grouped(traffic.read_bytes), grouped(traffic.write_bytes)});
-  }
-  text += bytes.text() + '\n';
-  text += fmt::format("bytes: {} by the datapath, {} in cache lines at the port\n",
-                      grouped(report.datapath_bytes), grouped(result.port_bytes()));
-  Table memory;
-  memory.add_column(fmt::format("memory ({})", spelling(report.config.memory.kind)),
-                    Table::Align::left);
-  memory.add_column("", Table::Align::right);
-  memory.add_column("", Table::Align::left);
-  for (const model::Statistic& statistic : result.memory) {
-    memory.add_row({statistic.name, grouped(statistic.value), statistic.description});
-  }
-  text += '\n' + memory.text() + '\n';
-  if (report.energy) {
-    text += fmt::format(
-        "energy: {:.2f} uJ a frame: datapath {:.2f}, caches {:.2f}, DRAM bytes {:.2f}, activates "
-        "{:.2f}\n",
-        report.energy->total() / 1e6, report.energy->datapath / 1e6, report.energy->cache / 1e6,
-        report.energy->dram_bytes / 1e6, report.energy->dram_activates / 1e6);
-  }
-  if (const auto& first = report.frame->datapath().first_overflow()) {
-    text += fmt::format("OVERFLOW: {} pixels, first {},{}\n",
-                        grouped(report.counters().li_overflow_pixels.value()), (*first)[0],
-                        (*first)[1]);
-  }
-  return text + fmt::format("pixels: {} compared; max error {:.2g}, {} mismatched\n",
-                            grouped(report.pixels.compared), report.pixels.max_error,
-                            grouped(report.pixels.mismatched));
 }
 
 }  // namespace wedgesim::reports

@@ -57,8 +57,29 @@ CyclesReport run_cycles(const CheckedFrame& frame, const model::BlockConfig& con
 /// \throws InputError if a file cannot be written
 std::string write_tile_maps(const std::string& prefix, const CyclesReport& report);
 
+/// Of the lookups of a cache, or of the bursts of a DRAM, those that found it open: 0 to 1; nothing
+/// if there is no cache, no DRAM, or nothing was looked up.
+std::optional<double> hit_rate(const model::CacheResult& cache);
+std::optional<double> row_hit_rate(const model::BlockResult& result);
+
+/// Bytes of the DRAM's bursts; nothing if the memory is no DRAM.
+std::optional<std::uint64_t> burst_bytes(const model::BlockResult& result);
+
+/// What the counts come to at the block's clock. GB are 10^9 bytes.
+struct Rates {
+  double frames_per_second = 0.0;
+  double port_gb_per_second = 0.0;     // at the port, over the frame
+  double busiest_gb_per_second = 0.0;  // asked for in the busiest PortProfile::kWindowCycles
+  double peak_gb_per_second = 0.0;     // of the memory; 0 if it is unknown
+  double port_bytes_over_floor = 0.0;  // bytes at the port for each byte that must move
+};
+Rates rates_of(const CyclesReport& report);
+
 /// Every pixel is within its tolerance.
 bool held(const CyclesReport& report);
+
+/// 16 hexadecimal digits that two configurations share iff they are the same, whatever their names.
+std::string hash_of(const model::BlockConfig& config);
 
 /// Schema wedgesim.cycles/1.
 Json cycles_json(const CyclesReport& report);

@@ -8,6 +8,8 @@
 #include <ostream>
 #include <tuple>
 
+#include "base/check.h"
+
 namespace wedgesim::reports {
 namespace {
 
@@ -16,13 +18,18 @@ constexpr std::array<std::string_view, 3> kVcdValues{"01", "00", "10"};
 
 }  // namespace
 
+Timeline::Timeline(std::uint64_t from, std::uint64_t to, std::span<const std::string_view> units)
+    : from_(from), to_(to) {
+  for (const std::string_view unit : units) tracks_.push_back({std::string(unit), {}});
+}
+
 void Timeline::add(std::string_view unit, State state, std::uint64_t begin, std::uint64_t end) {
   begin = std::max(begin, from_);
   end = std::min(end, to_);
   if (begin >= end) return;
-  auto track = std::find_if(tracks_.begin(), tracks_.end(),
-                            [&](const Track& each) { return each.unit == unit; });
-  if (track == tracks_.end()) track = tracks_.insert(track, {std::string(unit), {}});
+  const auto track = std::find_if(tracks_.begin(), tracks_.end(),
+                                  [&](const Track& each) { return each.unit == unit; });
+  CHECK_EQ(track == tracks_.end(), false);
   std::vector<Span>& spans = track->spans;
   if (!spans.empty() && spans.back().state == state && spans.back().end == begin) {
     spans.back().end = end;
@@ -43,10 +50,13 @@ void Timeline::write_chrome(std::ostream& out) const {
   out << "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[";
   std::string_view separator = "\n";
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
-    fmt::print(out,
-               "{}{{\"ph\":\"M\",\"pid\":1,\"tid\":{},\"name\":\"thread_name\",\"args\":{{\"name\":"
-               "\"{}\"}}}}",
-               separator, i + 1, tracks_[i].unit);
+    fmt::print(
+        out,
+        "{0}{{\"ph\":\"M\",\"pid\":1,\"tid\":{1},\"name\":\"thread_name\",\"args\":{{\"name\":"
+        "\"{2}\"}}}},\n"
+        "{{\"ph\":\"M\",\"pid\":1,\"tid\":{1},\"name\":\"thread_sort_index\",\"args\":{{"
+        "\"sort_index\":{1}}}}}",
+        separator, i + 1, tracks_[i].unit);
     separator = ",\n";
     for (const Span& span : tracks_[i].spans) {
       if (span.state == State::starved) continue;
@@ -65,6 +75,9 @@ void Timeline::write_vcd(std::ostream& out) const {
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     fmt::print(out, "$var wire 2 {} {} $end\n", static_cast<char>('!' + i), tracks_[i].unit);
     const std::vector<Span>& spans = tracks_[i].spans;
+    if (spans.empty() || spans.front().begin != from_) {
+      changes.emplace_back(from_, i, State::starved);
+    }
     for (std::size_t k = 0; k < spans.size(); ++k) {
       changes.emplace_back(spans[k].begin, i, spans[k].state);
       if (k + 1 == spans.size() || spans[k + 1].begin != spans[k].end) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,9 +21,10 @@ class Timeline {
   };
 
   /// \param from, to  the window in cycles, half open
-  Timeline(std::uint64_t from, std::uint64_t to) : from_(from), to_(to) {}
+  /// \param units     a track each, in this order
+  Timeline(std::uint64_t from, std::uint64_t to, std::span<const std::string_view> units);
 
-  /// A unit is in a state for some cycles; in the order of its time.
+  /// One of the units is in a state for some cycles; in the order of its time.
   void add(std::string_view unit, State state, std::uint64_t begin, std::uint64_t end);
 
   /// Chrome's trace event format, which Perfetto reads: a track a unit, a microsecond a cycle;
@@ -41,7 +43,7 @@ class Timeline {
     std::vector<Span> spans;
   };
   std::uint64_t from_, to_;
-  std::vector<Track> tracks_;  // in the order of their first span
+  std::vector<Track> tracks_;
 };
 
 }  // namespace wedgesim::reports

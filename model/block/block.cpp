@@ -160,7 +160,8 @@ class Block {
     return (static_cast<unsigned>(frame.layout.width) + tile - 1) / tile;
   }
   static void add_cache(BlockResult& result, std::string name, const memory::Cache& cache) {
-    result.caches.push_back({std::move(name), cache.hits(), cache.misses(), cache.write_backs()});
+    result.caches.push_back(
+        {std::move(name), cache.size_bytes(), cache.hits(), cache.misses(), cache.write_backs()});
   }
   std::vector<const units::BlockUnit*> units() const {
     return {&wedge_fetch_, &wedge_setup_, &tile_walk_, &tile_cull_,

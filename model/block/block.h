@@ -19,6 +19,10 @@
 
 namespace wedgesim::model {
 
+/// The units, in the order of the pipeline; the memory port is behind them all.
+inline constexpr std::array<std::string_view, 7> kBlockUnits{
+    "wedge_fetch", "wedge_setup", "tile_walk", "tile_cull", "z_read", "penumbra", "li_update"};
+
 /// The values of a frame, computed once: what every block with the same rasterizer and formats
 /// does, however long it takes.
 struct RecordedFrame {
@@ -51,6 +55,7 @@ struct UnitResult {
 
 struct CacheResult {
   std::string name;
+  std::uint64_t size_bytes = 0;  // 0: there is none, and every access is a miss
   std::uint64_t hits = 0, misses = 0, write_backs = 0;
 };
 

@@ -66,6 +66,7 @@ class Cache {
     }
   }
 
+  std::uint64_t size_bytes() const { return std::uint64_t{lines_.size()} << line_shift_; }
   Group& statistics() { return statistics_; }
   const Group& statistics() const { return statistics_; }
   std::uint64_t hits() const { return hits_.value(); }

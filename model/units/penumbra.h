@@ -12,7 +12,9 @@ struct PenumbraConfig {
 /// Decides which pixels are inside the wedge and hit by the umbra polygon, and computes light
 /// intensity or coverage; values by model/datapath.
 ///
-/// Rate    `lanes` pixels a cycle; a pixel that face and unshared umbra polygon read counts twice.
+/// Rate    `lanes` pixels a cycle: those whose z was read, and those of an accepted umbra polygon
+///         or cap, which pass through unread; a pixel of a face and an unshared umbra polygon
+///         counts twice.
 /// Latency out.latency_cycles.
 /// Stall   while `out` is full.
 /// Source  Paper II, section 3; Papers III and IV for coverage.

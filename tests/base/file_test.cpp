@@ -74,6 +74,24 @@ TEST(WriteAtomically, TemporaryHasTheExtensionAndTheFolder) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
+// What could be written and what could not, without a trace of either.
+TEST(RequireWritable, SaysBeforehandWhatWritingWould) {
+  const TemporaryFolder folder;
+  write_file(folder / "file", std::string_view("x"));
+  for (const fs::path& path : {folder / "new", folder / "file", folder / "a/b/c"}) {
+    EXPECT_NO_THROW(require_writable(path)) << path;
+  }
+  EXPECT_NO_THROW(require_writable("new"));
+  EXPECT_NO_THROW(require_writable("/dev/null"));
+  for (const fs::path& path :
+       {folder.path(), folder / "file/below", folder / "new/", folder / std::string(300, 'n'),
+        fs::path("/proc/x"), fs::path("/proc/none/x")}) {
+    EXPECT_THROW(require_writable(path), InputError) << path;
+  }
+  EXPECT_EQ(folder.entries(), 1U);
+  EXPECT_EQ(content(folder / "file"), "x");
+}
+
 TEST(WriteFile, RefusesWhatIsNoPlaceForAFile) {
   const TemporaryFolder folder;
   write_file(folder / "file", std::string_view("x"));
