@@ -30,7 +30,7 @@ class PortProfile {
     return static_cast<double>(*std::max_element(windows_.begin(), windows_.end())) /
            static_cast<double>(kWindowCycles);
   }
-  /// Of each tile, row by row, what was moved for its visits: not clears, flushes and records.
+  /// Of each tile, row by row, what was moved for its visits: not clears, merges and records.
   const std::vector<std::uint64_t>& tile_bytes() const { return tile_bytes_; }
 
  private:

@@ -114,6 +114,7 @@ BlockConfig preset(std::string_view name, std::string_view place) {
     config.li_update.stencil_cache.size_bytes = 512;
     config.z_read.outstanding = 4;
     config.li_update.outstanding = 4;
+    config.li_update.outstanding_writes = 16;
     config.memory.kind = MemoryKind::dram;
     config.memory.dram = memory::dram_preset("lpddr4-3200", place);
     return config;
@@ -127,6 +128,7 @@ BlockConfig preset(std::string_view name, std::string_view place) {
     config.li_update.stencil_cache.size_bytes = 16384;
     config.z_read.outstanding = 64;
     config.li_update.outstanding = 64;
+    config.li_update.outstanding_writes = 256;
     config.memory.kind = MemoryKind::dram;
     config.memory.dram = memory::dram_preset("hbm2-2000", place);
     return config;

@@ -58,6 +58,7 @@ inline constexpr std::array kBlockKeys{
     BlockKey{"li_update", "stencil_cache_bytes", [](BlockConfig& c) -> int& { return c.li_update.stencil_cache.size_bytes; }, 0, 1 << 26, true, "of the stencil; 0: none, else at least a line of 64"},
     BlockKey{"li_update", "stencil_cache_ways", [](BlockConfig& c) -> int& { return c.li_update.stencil_cache.ways; }, 1, 64, true, "of that cache"},
     BlockKey{"li_update", "outstanding", [](BlockConfig& c) -> int& { return c.li_update.outstanding; }, 1, 256, false, "fills under way"},
+    BlockKey{"li_update", "outstanding_writes", [](BlockConfig& c) -> int& { return c.li_update.outstanding_writes; }, 1, 256, false, "lines on their way to memory"},
     BlockKey{"li_update", "update_cycles", [](BlockConfig& c) -> int& { return c.li_update.update_cycles; }, 1, 64, false, "from a word's read to its write"},
 
     BlockKey{"memory", "latency_cycles", [](BlockConfig& c) -> int& { return c.memory.ideal.latency_cycles; }, 0, 1000000, false, "of the ideal memory, cycles of the block"},

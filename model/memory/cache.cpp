@@ -37,8 +37,9 @@ Cache::Access Cache::miss(Line* set, std::uint64_t line, bool write) {
     write_backs_ += 1;
     result.write_back = victim->line << line_shift_;
     result.write_back_ready = victim->ready;
+    result.write_back_settled = victim->settled;
   }
-  *victim = {line, time_, 0, write};
+  *victim = {line, time_, 0, 0, write};
   result.fill = true;
   result.slot = static_cast<std::size_t>(victim - lines_.data());
   return result;

@@ -26,7 +26,8 @@ class Cache {
     bool fill = false;                        // the line must be fetched
     std::optional<std::uint64_t> write_back;  // address of a line whose bytes must go to memory
     std::size_t slot = kNoSlot;               // where the line is now, until its next eviction
-    Cycle write_back_ready = 0;               // when the bytes of write_back were there
+    Cycle write_back_ready = 0;               // when the bytes of write_back were there,
+    Cycle write_back_settled = 0;             // and when the last of them was written
   };
   static constexpr std::size_t kNoSlot = ~std::size_t{0};
 
@@ -55,14 +56,19 @@ class Cache {
   Cycle ready(std::size_t slot) const { return lines_[slot].ready; }
   void set_ready(std::size_t slot, Cycle cycle) { lines_[slot].ready = cycle; }
 
-  /// Calls `visit(line address)` for each dirty line, sets and ways in order; all are clean then.
+  /// The cycle in which its last write is done: its bytes may not leave before. The user sets it.
+  void set_settled(std::size_t slot, Cycle cycle) { lines_[slot].settled = cycle; }
+
+  /// Calls `visit(line address, slot)` for each dirty line, sets and ways in order; all are clean
+  /// then.
   template <typename Visit>
   void flush(Visit visit) {
-    for (Line& line : lines_) {
+    for (std::size_t slot = 0; slot < lines_.size(); ++slot) {
+      Line& line = lines_[slot];
       if (!line.dirty) continue;
       line.dirty = false;
       write_backs_ += 1;
-      visit(line.line << line_shift_);
+      visit(line.line << line_shift_, slot);
     }
   }
 
@@ -79,7 +85,7 @@ class Cache {
   struct Line {
     std::uint64_t line = kEmpty;  // address / line_bytes
     std::uint64_t used = 0;       // time of the last access; 0 = never
-    Cycle ready = 0;
+    Cycle ready = 0, settled = 0;
     bool dirty = false;
   };
   Access miss(Line* set, std::uint64_t line, bool write);

@@ -7,6 +7,10 @@ namespace wedgesim::model::units {
 using memory::Cause;
 using memory::Surface;
 
+LiUpdate::WriteBackCache::WriteBackCache(const memory::CacheConfig& config, std::string_view place)
+    : cache(config, place),
+      writers(cache.size_bytes() / memory::kLineBytes, {Surface::li, Cause::fill}) {}
+
 LiUpdate::LiUpdate(sc_core::sc_module_name name, Timing timing, const LiUpdateConfig& config,
                    bool three_pass, MemoryPort& port, const memory::Layout& layout, Link<Token>& in)
     : BlockUnit(name, timing),
@@ -18,6 +22,7 @@ LiUpdate::LiUpdate(sc_core::sc_module_name name, Timing timing, const LiUpdateCo
       li_(config.cache, "li_update"),
       stencil_(config.stencil_cache, "li_update.stencil"),
       outstanding_(config.outstanding),
+      outstanding_writes_(config.outstanding_writes),
       update_cycles_(static_cast<Cycle>(config.update_cycles)) {}
 
 void LiUpdate::process() {
@@ -88,6 +93,7 @@ void LiUpdate::wait_for_hazard(Surface surface, std::uint32_t block, std::uint64
   std::erase_if(updates_, [before](const Update& update) { return update.done <= before; });
   for (const Update& update : updates_) {
     if (update.surface == surface && update.block == block && (update.pixels & pixels) != 0) {
+      time_.wait_for_memory_until(update.done - update_cycles_);
       time_.stall_until(update.done);
     }
   }
@@ -100,35 +106,48 @@ void LiUpdate::drain() {
 }
 
 Cycle LiUpdate::access(const AccessTag& tag, std::uint64_t line, bool write) {
-  memory::Cache& cache = tag.surface == Surface::li ? li_ : stencil_;
-  const memory::Cache::Access access = cache.access(line, write);
+  WriteBackCache& cached = tag.surface == Surface::li ? li_ : stencil_;
+  const memory::Cache::Access access = cached.cache.access(line, write);
+  if (access.slot == memory::Cache::kNoSlot) return access_uncached(tag, line, write);
+  Cycle ready = 0;
   if (access.hit) {
-    time_.wait_for_memory_until(cache.ready(access.slot));
-    return time_.now() + update_cycles_;
+    time_.wait_for_memory_until(cached.cache.ready(access.slot));
+    ready = time_.now();
+  } else {
+    if (access.write_back) {
+      time_.wait_for_memory_until(access.write_back_ready);
+      time_.stall_until(access.write_back_settled);
+      send(cached.writers[access.slot], Cause::write_back, *access.write_back);
+    }
+    ready = fill(tag, line);
+    cached.cache.set_ready(access.slot, ready);
   }
-  const bool cached = access.slot != memory::Cache::kNoSlot;
-  if (cached && access.write_back) {
-    time_.wait_for_memory_until(access.write_back_ready);
-    send(tag, Cause::write_back, *access.write_back);
-  }
-  outstanding_.wait_for_one(time_);
-  const Cycle done = port_.access(time_, tag, line, memory::kLineBytes, false);
-  outstanding_.add(done);
-  if (cached) {
-    cache.set_ready(access.slot, done);
-    return done + update_cycles_;
-  }
-  // Without a cache nothing else would know that the line is on its way.
-  time_.wait_for_memory_until(done);
-  if (!write) return done;
+  if (!write) return ready;
+  cached.cache.set_settled(access.slot, ready + update_cycles_);
+  cached.writers[access.slot] = tag;
+  return ready + update_cycles_;
+}
+
+// Nothing else would know that the line is on its way: it is waited for.
+Cycle LiUpdate::access_uncached(const AccessTag& tag, std::uint64_t line, bool write) {
+  time_.wait_for_memory_until(fill(tag, line));
+  if (!write) return time_.now();
   time_.stall_until(time_.now() + update_cycles_);
   send(tag, Cause::write_through, line);
   return time_.now();
 }
 
+Cycle LiUpdate::fill(const AccessTag& tag, std::uint64_t line) {
+  outstanding_.wait_for_one(time_);
+  const Cycle done = port_.access(time_, tag, line, memory::kLineBytes, false);
+  outstanding_.add(done);
+  return done;
+}
+
 void LiUpdate::send(AccessTag tag, Cause cause, std::uint64_t line) {
   tag.cause = cause;
-  port_.access(time_, tag, line, memory::kLineBytes, true);
+  outstanding_writes_.wait_for_one(time_);
+  outstanding_writes_.add(port_.access(time_, tag, line, memory::kLineBytes, true));
 }
 
 void LiUpdate::merge(const PrimitiveWork& primitive) {
@@ -149,14 +168,12 @@ void LiUpdate::merge(const PrimitiveWork& primitive) {
 
 void LiUpdate::flush() {
   drain();
-  const auto write = [this](Surface surface) {
-    return [this, surface](std::uint64_t line) {
+  for (WriteBackCache* const cached : {&li_, &stencil_}) {
+    cached->cache.flush([&](std::uint64_t line, std::size_t slot) {
       time_.work(1);
-      send({surface, Cause::flush}, Cause::flush, line);
-    };
-  };
-  li_.flush(write(Surface::li));
-  stencil_.flush(write(Surface::stencil));
+      send(cached->writers[slot], Cause::flush, line);
+    });
+  }
 }
 
 }  // namespace wedgesim::model::units

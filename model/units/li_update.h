@@ -14,6 +14,7 @@ struct LiUpdateConfig {
   memory::CacheConfig cache{4096, 64, 4};          // of LI
   memory::CacheConfig stencil_cache{2048, 64, 4};  // of the stencil, three-pass
   int outstanding = 16;                            // fills under way, 1 to 256
+  int outstanding_writes = 64;                     // lines on their way to memory, 1 to 256
   int update_cycles = 3;                           // from a word's read to its write, 1 to 64
   Clear clear = Clear::write;                      // LI and stencil, before the frame
 };
@@ -22,9 +23,11 @@ struct LiUpdateConfig {
 /// into LI between the passes. Values by model/units/tile_work.h.
 ///
 /// Rate    one line a cycle; without a cache a line is read, changed and written before the next.
-/// Stall   while `outstanding` fills are under way, while a line that is asked for again or put out
-///         is still on its way in, and while a pixel is being updated for an earlier wedge
-///         (update_cycles): never reads a stale word.
+/// Stall   while `outstanding` fills or `outstanding_writes` writes are under way, while a line
+/// that
+///         is asked for again or put out is still on its way in, while a word of a line that is put
+///         out is being updated, and while a pixel is being updated for an earlier wedge
+///         (update_cycles): never reads or writes back a stale word.
 /// Source  Paper II, section 3.
 class LiUpdate final : public BlockUnit {
  public:
@@ -34,10 +37,16 @@ class LiUpdate final : public BlockUnit {
   /// Called when a barrier has come through, with the first cycle in which the unit is empty.
   void on_drained(std::function<void(Cycle)> listener) { drained_ = std::move(listener); }
 
-  const memory::Cache& li_cache() const { return li_; }
-  const memory::Cache& stencil_cache() const { return stencil_; }
+  const memory::Cache& li_cache() const { return li_.cache; }
+  const memory::Cache& stencil_cache() const { return stencil_.cache; }
 
  private:
+  /// A cache that knows for whom its lines were last written: who pays for writing them back.
+  struct WriteBackCache {
+    WriteBackCache(const memory::CacheConfig& config, std::string_view place);
+    memory::Cache cache;
+    std::vector<AccessTag> writers;  // one a slot
+  };
   /// A set of pixels of one block that is being updated.
   struct Update {
     memory::Surface surface = memory::Surface::li;
@@ -54,8 +63,10 @@ class LiUpdate final : public BlockUnit {
   void update(memory::Surface surface, const BlockWork& block, std::uint64_t pixels,
               const Token& token, std::uint32_t tile);
   void wait_for_hazard(memory::Surface surface, std::uint32_t block, std::uint64_t pixels);
-  /// \return the cycle from which the line's words are written
+  /// \return the cycle from which the line's words are there, or written
   Cycle access(const AccessTag& tag, std::uint64_t line, bool write);
+  Cycle access_uncached(const AccessTag& tag, std::uint64_t line, bool write);
+  Cycle fill(const AccessTag& tag, std::uint64_t line);
   /// Until nothing is under way.
   void drain();
   void send(AccessTag tag, memory::Cause cause, std::uint64_t line);
@@ -65,8 +76,8 @@ class LiUpdate final : public BlockUnit {
   MemoryPort& port_;
   const memory::Layout& layout_;
   Link<Token>& in_;
-  memory::Cache li_, stencil_;
-  OutstandingReads outstanding_;
+  WriteBackCache li_, stencil_;
+  Outstanding outstanding_, outstanding_writes_;
   const Cycle update_cycles_;
   std::vector<Update> updates_;  // under way: few, since a line on its way in is waited for
   std::function<void(Cycle)> drained_;

@@ -9,12 +9,12 @@
 
 namespace wedgesim::model::units {
 
-/// How many reads of a unit may be under way. The oldest must be back before one more leaves.
-class OutstandingReads {
+/// How many accesses of a unit may be under way. The oldest must be back before one more leaves.
+class Outstanding {
  public:
-  explicit OutstandingReads(int most) : done_(static_cast<std::size_t>(most)) {}
+  explicit Outstanding(int most) : done_(static_cast<std::size_t>(most)) {}
 
-  /// Waits, stalled, until another read may leave.
+  /// Waits, stalled, until another may leave.
   void wait_for_one(UnitTime& time) const { time.wait_for_memory_until(done_[next_]); }
   /// Waits, stalled, until all are back.
   void wait_for_all(UnitTime& time) const { time.wait_for_memory_until(last_); }
@@ -53,7 +53,7 @@ class LineReader {
  private:
   MemoryPort& port_;
   memory::Cache cache_;
-  OutstandingReads outstanding_;
+  Outstanding outstanding_;
 };
 
 }  // namespace wedgesim::model::units

@@ -37,7 +37,7 @@ class WedgeFetch final : public BlockUnit {
   MemoryPort& port_;
   const memory::Layout& layout_;
   Link<Token>& out_;
-  OutstandingReads outstanding_;
+  Outstanding outstanding_;
   std::uint64_t last_line_ = ~std::uint64_t{0};
   Cycle last_ready_ = 0;
   bool is_drained_ = false;

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<std::uint64_t> flushed(Cache& cache) {
   std::vector<std::uint64_t> lines;
-  cache.flush([&](std::uint64_t line) { lines.push_back(line); });
+  cache.flush([&](std::uint64_t line, std::size_t) { lines.push_back(line); });
   return lines;
 }
 

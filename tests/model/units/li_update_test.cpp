@@ -94,13 +94,53 @@ TEST_P(LiUpdateTest, APixelOfBothPolygonsIsChangedTwiceUnlessShared) {
   EXPECT_EQ(hazards, 13U);
 }
 
-// One line of cache. The second line's read has to wait until the first is in (12) and out again.
+// One line of cache. The second line's read has to wait until the first is in (12), its word
+// written (15), and out again.
 TEST_P(LiUpdateTest, ALineIsNotPutOutBeforeItIsIn) {
   config.cache = {64, 64, 1};
   run({{0, pixels(1)}, {0, pixels(1, 1)}});
   EXPECT_EQ(around.memory.accesses,
-            (Accesses{{2, 8192, false}, {12, 8192, true}, {12, 8320, false}, {26, 8320, true}}));
+            (Accesses{{2, 8192, false}, {15, 8192, true}, {15, 8320, false}, {29, 8320, true}}));
   EXPECT_EQ(write_backs, 2U);
+  EXPECT_EQ(memory_cycles, 9U + 10);  // from 3 to 12; from 15 to 25, at the end
+}
+
+// The word comes in 31, is read in 32 and written in 35; the other line is asked for in 33.
+TEST_P(LiUpdateTest, AWordInChangeIsWrittenBeforeItsLineIsPutOut) {
+  config.cache = {64, 64, 1};
+  run({{0, pixels(1)}, {30, pixels(1)}, {30, pixels(1, 1)}});
+  EXPECT_EQ(around.memory.accesses[1], (FakeMemory::Access{35, 8192, true}));
+}
+
+// Who wrote a line last pays for writing it back, not who puts it out, nor nobody at the end.
+TEST_P(LiUpdateTest, AWrittenBackLineBearsItsLastWriter) {
+  config.cache = {64, 64, 1};
+  std::vector<memory::MemoryRecord> writes;
+  around.port.listen([&](const memory::MemoryRecord& record) {
+    if (record.write) writes.push_back(record);
+  });
+  run({{0, tile_token(4, 0, {block_work(0, 0, 1)})},
+       {30, tile_token(5, 0, {block_work(0, 0, 2)})},
+       {60, tile_token(6, 1, {block_work(1, 0, 1)})}});
+  ASSERT_EQ(writes.size(), 2U);
+  EXPECT_EQ(writes[0].cause, memory::Cause::write_back);
+  EXPECT_EQ(writes[0].wedge, 5);
+  EXPECT_EQ(writes[0].tile, 0);
+  EXPECT_EQ(writes[1].cause, memory::Cause::flush);
+  EXPECT_EQ(writes[1].wedge, 6);
+  EXPECT_EQ(writes[1].tile, 1);
+}
+
+// A memory of 10 cycles and two writes under way: two lines every 10 cycles, from 1 and 2 on.
+TEST_P(LiUpdateTest, NoMoreWritesThanAllowedAreUnderWay) {
+  config.clear = Clear::write;
+  config.outstanding_writes = 2;
+  run({});
+  ASSERT_EQ(around.memory.accesses.size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(around.memory.accesses[i].cycle, 1 + i % 2 + i / 2 * 10) << i;
+  }
+  EXPECT_EQ(memory_cycles, 3U * 8);
 }
 
 // Read in 2, there in 12, written in 15; then the next.

@@ -53,7 +53,7 @@ TEST_P(LineReaderTest, AHitUnderAFillIsReadyWithIt) {
 }
 
 TEST_P(LineReaderTest, AllCanBeWaitedForWhateverTheirOrder) {
-  OutstandingReads outstanding(4);
+  Outstanding outstanding(4);
   act([&](UnitTime& time) {
     outstanding.add(50);
     outstanding.add(20);
