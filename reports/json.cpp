@@ -98,6 +98,7 @@ Json to_json(const model::CountResult& result, const model::Datapath& datapath) 
           {"pixels", pixels_json(result.pixels)},
           {"wrong_contributions", result.wrong_contributions},
           {"needless_visits", result.needless_visits},
+          {"penumbra_z_reads", result.penumbra_z_reads},
           {"first_overflow", result.first_overflow ? Json(*result.first_overflow) : Json()},
           {"timing", {{"seconds", result.seconds}}}};
 }

@@ -229,6 +229,7 @@ std::vector<Correction> Traversal::collect(const TileSize& size, std::size_t run
       *counters.counters()[i] += part.counters(run).counters()[i]->value();
     }
     result.needless_visits += part.needless_visits();
+    result.penumbra_z_reads += part.penumbra_z_reads(run);
     const auto& wrong = part.corrections(run);
     corrections.insert(corrections.end(), wrong.begin(), wrong.end());
   }

@@ -35,6 +35,9 @@ struct CountResult {
   /// Pairs of a penumbra face, or of an umbra polygon that is no cap, with a tile in which it
   /// covers pixels but writes none: what a perfect culling would skip, whatever this one does.
   std::uint64_t needless_visits = 0;
+  /// Of z_reads those that penumbra faces ask for, |P|; in a shared visit the umbra polygon may ask
+  /// for the same.
+  std::uint64_t penumbra_z_reads = 0;
   std::optional<std::array<int, 2>> first_overflow;  // x, y of the first of li_overflow_pixels
   // Maps, (height, width); empty unless asked for.
   std::vector<std::uint32_t> z_reads;

@@ -29,7 +29,12 @@ ConfigRun::ConfigRun(const CountConfig& configuration, const ZFrame& frame,
 
 TileTally::TileTally(std::span<ConfigRun* const> runs, const ZFrame& frame, ZMethod method,
                      double one)
-    : runs_(runs), frame_(frame), method_(method), one_(one), corrections_(runs.size()) {
+    : runs_(runs),
+      frame_(frame),
+      method_(method),
+      one_(one),
+      corrections_(runs.size()),
+      penumbra_z_reads_(runs.size()) {
   for (const ConfigRun* run : runs) {
     counters_.push_back(std::make_unique<Counters>());
     const CountConfig& config = run->config;
@@ -135,6 +140,7 @@ void TileTally::count_run(std::size_t index) {
   if (untested) counters.tiles_inside += bit_count(surviving);
   const Outcome& result = outcome(surviving, umbra_state(config, counters), untested);
   counters.z_reads += shared ? result.shared_reads : result.reads + result.umbra_reads;
+  penumbra_z_reads_[index] += result.reads;
   const bool reads = result.reads > 0;
   const bool umbra_reads = result.umbra_reads > 0;
   const std::uint64_t whole_tiles =

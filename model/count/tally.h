@@ -50,6 +50,8 @@ class TileTally {
   Counters& counters(std::size_t run) { return *counters_[run]; }
   /// CountResult::needless_visits, of any of the runs.
   std::uint64_t needless_visits() const { return needless_visits_; }
+  /// CountResult::penumbra_z_reads.
+  std::uint64_t penumbra_z_reads(std::size_t run) const { return penumbra_z_reads_[run]; }
   const std::vector<Correction>& corrections(std::size_t run) const { return corrections_[run]; }
 
  private:
@@ -108,6 +110,7 @@ class TileTally {
   std::vector<std::unique_ptr<Counters>> counters_;
   std::vector<std::vector<Correction>> corrections_;
   std::uint64_t needless_visits_ = 0;
+  std::vector<std::uint64_t> penumbra_z_reads_;
   const Primitive* primitive_ = nullptr;
   const Footprint* footprint_ = nullptr;
   Tile tile_;

@@ -100,6 +100,7 @@ Claim read_claim(const toml::table& raw, const std::string& file) {
       claim.scenes.push_back(to_text(scene));
     }
   }
+  claim.wedges = table.text("wedges", "linear");
   claim.needs = table.text("needs", "");
   table.has("measured");
   table.reject_unknown();

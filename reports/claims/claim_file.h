@@ -42,6 +42,7 @@ struct Claim {
   std::string id, paper, section, says, unit;
   double low = 0.0, high = 0.0;       // the paper's band
   bool most = false;                  // the largest value counts, not the median
+  std::string wedges;                 // the kind that the paper has: "linear" or "coverage"
   std::vector<std::string> scenes;    // empty: all
   std::string needs;                  // why it cannot be measured yet; else empty
   std::vector<Measurement> measured;  // the literal one first

@@ -1,5 +1,7 @@
 #include "reports/claims/claims.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -129,56 +131,81 @@ std::optional<double> best_of(const Measurement& measurement, const PointIndex& 
   return best;
 }
 
-Measured measure(const Claim& claim, const Measurement& measurement, const PointIndex& points,
-                 const Results& results) {
+constexpr double kOften = 0.25;  // of the values in the band: worth to be said
+
+Measured summed_up(const Claim& claim, const std::vector<double>& values) {
   Measured measured;
+  measured.count = values.size();
+  if (values.empty()) return measured;
+  measured.spread = spread_of(values);
+  measured.most = std::ranges::max(values);
+  const auto within = std::ranges::count_if(
+      values, [&claim](double value) { return value >= claim.low && value <= claim.high; });
+  measured.within = static_cast<double>(within) / static_cast<double>(values.size());
+  return measured;
+}
+
+std::map<std::string, Measured> measure(const Claim& claim, const Measurement& measurement,
+                                        const PointIndex& points, const Results& results) {
+  std::map<std::string, std::vector<double>> values;
   for (const FrameRow& frame : results.frames) {
     const bool wanted =
         claim.scenes.empty() || std::ranges::find(claim.scenes, frame.scene) != claim.scenes.end();
     if (!wanted) continue;
+    const std::string kind = to_text(find_value(frame.parameters, "kind"));
     for (const Values& where : combinations(measurement.where)) {
       const auto value = measurement.kind == ClaimKind::best
                              ? best_of(measurement, points, frame.label, where)
                              : value_of(measurement, points, frame.label, where);
-      if (value) measured.values.push_back(*value);
+      if (value) values[kind].push_back(*value);
     }
   }
-  if (measured.values.empty()) return measured;
-  measured.spread = spread_of(measured.values);
-  measured.most = std::ranges::max(measured.values);
-  const auto within = std::ranges::count_if(measured.values, [&claim](double value) {
-    return value >= claim.low && value <= claim.high;
-  });
-  measured.within = static_cast<double>(within) / static_cast<double>(measured.values.size());
+  std::map<std::string, Measured> measured;
+  for (const auto& [kind, all] : values) measured[kind] = summed_up(claim, all);
   return measured;
 }
 
 bool in_band(const Claim& claim, const Measured& measured) {
-  if (measured.values.empty()) return false;
+  if (measured.count == 0) return false;
   const double value = claim.most ? measured.most : measured.spread.median;
   return value >= claim.low && value <= claim.high;
 }
 
+// The other conventions, and the other wedges, for which `holds` is true.
+template <typename Holds>
+std::string conventions(const ClaimResult& result, Holds holds) {
+  std::string list;
+  for (std::size_t i = 0; i < result.measured.size(); ++i) {
+    for (const auto& [kind, measured] : result.measured[i]) {
+      if (!holds(measured)) continue;
+      list += fmt::format("{}{} ({} wedges)", list.empty() ? "" : "; ",
+                          result.claim->measured[i].definition, kind);
+    }
+  }
+  return list;
+}
+
 void judge(ClaimResult& result) {
   const Claim& claim = *result.claim;
-  if (result.measured.empty() || result.measured.front().values.empty()) {
+  const Measured literal = result.literal();
+  if (literal.count == 0) {
     result.because = claim.needs.empty() ? "the study lacks its points" : "needs " + claim.needs;
     return;
   }
-  if (in_band(claim, result.measured.front())) {
+  if (in_band(claim, literal)) {
     result.verdict = Verdict::reproduced;
     return;
   }
-  for (std::size_t i = 1; i < result.measured.size(); ++i) {
-    if (!in_band(claim, result.measured[i])) continue;
-    result.because +=
-        (result.because.empty() ? "holds if: " : "; or: ") + claim.measured[i].definition;
-  }
-  const Spread& literal = result.measured.front().spread;
-  if (!result.because.empty()) {
-    result.verdict = Verdict::depends;
-  } else if (literal.low <= claim.high && literal.high >= claim.low) {
-    result.verdict = Verdict::depends;
+  const std::string held =
+      conventions(result, [&](const Measured& measured) { return in_band(claim, measured); });
+  const std::string often =
+      conventions(result, [&](const Measured& measured) { return measured.within >= kOften; });
+  result.verdict = Verdict::depends;
+  if (!held.empty()) {
+    result.because = "holds if: " + held;
+  } else if (!often.empty()) {
+    result.because = "holds for many values of: " + often;
+  } else if (literal.spread.low <= claim.high && literal.spread.high >= claim.low) {
     result.because = "scene and view";
   } else {
     result.verdict = Verdict::not_reproduced;
@@ -199,6 +226,12 @@ std::string_view spelling(Verdict verdict) {
       return "not measured";
   }
   return "";
+}
+
+Measured ClaimResult::literal() const {
+  if (measured.empty()) return {};
+  const auto found = measured.front().find(claim->wedges);
+  return found == measured.front().end() ? Measured{} : found->second;
 }
 
 std::vector<ClaimResult> judge_claims(const ClaimFile& file, const Results& results) {

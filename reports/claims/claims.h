@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,8 +17,8 @@ std::string_view spelling(Verdict verdict);
 
 /// The values of one measurement over frames and configurations.
 struct Measured {
-  std::vector<double> values;
-  Spread spread;        // of them, if there are any
+  std::size_t count = 0;
+  Spread spread;        // if there are any
   double most = 0.0;    // the largest
   double within = 0.0;  // the part of them in the paper's band, [0, 1]
 };
@@ -25,14 +26,19 @@ struct Measured {
 /// What became of a claim.
 struct ClaimResult {
   const Claim* claim = nullptr;
-  std::vector<Measured> measured;  // as Claim::measured
+  /// As Claim::measured: each by the kind of the frames' wedges.
+  std::vector<std::map<std::string, Measured>> measured;
   Verdict verdict = Verdict::not_measured;
   std::string because;  // what it depends on, or what is missing; empty if nothing is to be said
+
+  /// The claim as it is written, on the paper's wedges.
+  Measured literal() const;
 };
 
-/// Holds every claim against a study's results. A claim is reproduced if its first measurement's
-/// median (or largest value) is in the band; it depends if that of another convention is, or if the
-/// band is met by some of the values between the 5th and the 95th percentile.
+/// Holds every claim against a study's results. A claim is reproduced if its literal median (or
+/// largest value) is in the band. It depends if that of another convention, or of the other kind of
+/// wedges, is; if at least a quarter of the values of one is; or if the band is met by some literal
+/// values between the 5th and the 95th percentile.
 /// \param file  outlives the results
 std::vector<ClaimResult> judge_claims(const ClaimFile& file, const Results& results);
 

@@ -13,16 +13,12 @@ std::string band_of(const Claim& claim) {
 }
 
 std::string value_of(const Claim& claim, const Measured& measured) {
-  if (measured.values.empty()) return "-";
+  if (measured.count == 0) return "-";
   const int digits = claim.unit == "times" ? 2 : claim.unit == "pixels" ? 0 : 1;
   const Spread& spread = measured.spread;
   const double value = claim.most ? measured.most : spread.median;
   return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", value, digits, spread.low, digits, spread.high,
                      digits);
-}
-
-std::string first_value(const ClaimResult& result) {
-  return result.measured.empty() ? "-" : value_of(*result.claim, result.measured.front());
 }
 
 Table table_of(std::span<const ClaimResult> claims) {
@@ -33,7 +29,7 @@ Table table_of(std::span<const ClaimResult> claims) {
   for (const ClaimResult& result : claims) {
     const Claim& claim = *result.claim;
     table.add_row({claim.id, claim.paper + ", " + claim.section, band_of(claim),
-                   first_value(result), std::string(spelling(result.verdict))});
+                   value_of(claim, result.literal()), std::string(spelling(result.verdict))});
   }
   return table;
 }
@@ -42,14 +38,21 @@ Table measured_table(const ClaimResult& result) {
   const Claim& claim = *result.claim;
   Table table;
   table.add_column("measured as", Table::Align::left);
-  for (const char* title : {"value", "in the band", "values"}) {
-    table.add_column(title, Table::Align::right);
+  for (const char* kind : {"linear", "coverage"}) {
+    table.add_column("value", Table::Align::right, std::string(kind) + " wedges");
+    table.add_column("in the band", Table::Align::right);
+    table.add_column("values", Table::Align::right);
   }
   for (std::size_t i = 0; i < result.measured.size(); ++i) {
-    const Measured& measured = result.measured[i];
-    table.add_row({claim.measured[i].definition, value_of(claim, measured),
-                   measured.values.empty() ? "-" : fmt::format("{:.0f} %", 100 * measured.within),
-                   std::to_string(measured.values.size())});
+    std::vector<std::string> cells{claim.measured[i].definition};
+    for (const char* kind : {"linear", "coverage"}) {
+      const auto found = result.measured[i].find(kind);
+      const Measured measured = found == result.measured[i].end() ? Measured{} : found->second;
+      cells.push_back(value_of(claim, measured));
+      cells.push_back(measured.count == 0 ? "-" : fmt::format("{:.0f} %", 100 * measured.within));
+      cells.push_back(std::to_string(measured.count));
+    }
+    table.add_row(std::move(cells));
   }
   return table;
 }
@@ -61,7 +64,7 @@ Document claims_table(std::span<const ClaimResult> claims) {
   document.heading("Claims of the papers");
   document.paragraph(
       "Measured: the median, or the largest where the paper says up to, and in parentheses the 5th "
-      "to 95th percentile, over frames and tiles.");
+      "to 95th percentile, over frames and tiles, on the paper's kind of wedges.");
   document.table(table_of(claims));
   return document;
 }

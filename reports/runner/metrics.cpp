@@ -40,6 +40,8 @@ const std::vector<OfCount>& count_metrics() {
       {"accesses", "accesses", "z_reads + li_writes", [](const auto& r) { return integer(accesses_of(r).total()); }},
       {"accesses_floor", "accesses", "z_reads_floor + li_writes_floor", [](const auto& r) { return integer(floor_of(r)); }},
       {"over_floor", "", "accesses / accesses_floor", [](const auto& r) -> Value { const auto over = over_floor(r); if (!over) return {}; return *over; }},
+      {"needless_visits", "visits", "Visits that a perfect culling would skip", [](const auto& r) { return integer(r.needless_visits); }},
+      {"penumbra_z_reads", "accesses", "z_reads that penumbra faces ask for", [](const auto& r) { return integer(r.penumbra_z_reads); }},
       {"compared", "pixels", "Pixels compared with the expected LI", [](const auto& r) { return integer(r.pixels.compared); }},
       {"mismatched", "pixels", "Pixels beyond the tolerance and their own sensitivity", [](const auto& r) { return integer(r.pixels.mismatched); }},
       {"max_error", "full light", "Largest error of LI over all pixels", [](const auto& r) -> Value { return r.pixels.max_error; }},

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "functional/geometry/silhouette.h"
@@ -69,6 +71,8 @@ std::string check_words(const Frame& frame, ZChoice z, bool all, std::vector<std
   const std::vector<CountResult> results = count(view, configs, options);
   words = results.front().li;
   std::map<unsigned, std::uint64_t> needless;  // by tile size
+  std::map<std::pair<unsigned, Cull>, std::uint64_t> penumbra_reads;
+  std::map<std::tuple<unsigned, UmbraCull, Accept>, std::uint64_t> umbra_reads;  // unshared
   for (const CountResult& result : results) {
     const CountConfig& c = result.config;
     const auto place =
@@ -84,6 +88,17 @@ std::string check_words(const Frame& frame, ZChoice z, bool all, std::vector<std
     }
     if (needless.emplace(c.tile, result.needless_visits).first->second != result.needless_visits) {
       return "needless visits differ: " + place;
+    }
+    const std::uint64_t reads = result.counters->z_reads.value();
+    const std::uint64_t penumbra = result.penumbra_z_reads;
+    if (penumbra > reads ||
+        penumbra_reads.emplace(std::pair(c.tile, c.cull), penumbra).first->second != penumbra) {
+      return "z reads of penumbrae differ: " + place;
+    }
+    const auto umbra = std::tuple(c.tile, c.umbra_cull, c.accept);
+    if (c.mode == Mode::three_pass &&
+        umbra_reads.emplace(umbra, reads - penumbra).first->second != reads - penumbra) {
+      return "z reads of umbra polygons differ: " + place;
     }
     if (result.pixels.mismatched != 0) {
       const PixelError& worst = result.pixels.worst.front();
