@@ -84,9 +84,8 @@ std::vector<std::uint64_t> tile_cycles_of(const model::RecordedFrame& frame, int
   std::vector<std::uint64_t> cycles(tiles);
   for (const auto& primitive : frame.work) {
     for (const auto& tile : primitive->tiles) {
-      const unsigned pixels = tile.work.pixels();
       const auto wide = static_cast<unsigned>(lanes);
-      cycles[tile.work.tile] += tile.work.visits + (pixels + wide - 1) / wide;
+      cycles[tile.tile] += tile.visits + (tile.pixels + wide - 1) / wide;
     }
   }
   return cycles;

@@ -108,7 +108,8 @@ class Block {
       sc_core::sc_start(slice, sc_core::SC_EXIT_ON_STARVATION);
       if (li_update_.finished()) return;
       const std::uint64_t moved = progress();
-      if (moved == before || !sc_core::sc_pending_activity()) throw std::runtime_error(blocked());
+      const bool blocks = moved == before || !sc_core::sc_pending_activity();
+      if (blocks && !work_ahead()) throw std::runtime_error(blocked());
       before = moved;
     }
   }
@@ -169,6 +170,13 @@ class Block {
   }
   std::array<const Link<Token>*, 6> links() const {
     return {&fetched_, &prepared_, &walked_, &surviving_, &read_, &lit_};
+  }
+  // Whoever works on demand does all that can be done.
+  bool work_ahead() {
+    if (wedge_fetch_.time().timing() == units::Timing::clocked) return false;
+    bool any = wedge_setup_.work_ahead();
+    any = tile_walk_.work_ahead() || any;
+    return penumbra_.work_ahead() || any;
   }
   // Grows as long as anything moves. A unit that has run ahead of the kernel will move.
   std::uint64_t progress() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <systemc>
 
@@ -19,19 +20,21 @@ struct Token {
   std::uint32_t tile = 0;                    // of the primitive's tiles
   const PrimitiveWork* primitive = nullptr;  // of the recorded frame, which outlives the block
 
-  const WalkedTile& walked() const { return primitive->tiles[tile]; }
+  const TileWork& work() const { return primitive->tiles[tile]; }
+  std::span<const BlockWork> blocks() const { return primitive->blocks_of(work()); }
   std::int64_t wedge() const {
     return primitive->wedge ? static_cast<std::int64_t>(*primitive->wedge) : -1;
   }
 };
 
-/// A unit of the block: one process, a time of its own, and statistics.
+/// A unit of the block: a process, a time of its own, and statistics.
 class BlockUnit : public sc_core::sc_module {
  public:
-  BlockUnit(sc_core::sc_module_name name, Timing timing)
+  /// \param has_process  else another unit's process runs it
+  BlockUnit(sc_core::sc_module_name name, Timing timing, bool has_process = true)
       : sc_module(name), time_(timing, statistics_) {
     SC_HAS_PROCESS(BlockUnit);
-    SC_THREAD(run);
+    if (has_process) SC_THREAD(run);
   }
 
   const UnitTime& time() const { return time_; }
@@ -42,6 +45,7 @@ class BlockUnit : public sc_core::sc_module {
  protected:
   /// Until the frame is done.
   virtual void process() = 0;
+  void finish() { finished_ = true; }
 
   Group statistics_;
   UnitTime time_;
@@ -49,7 +53,7 @@ class BlockUnit : public sc_core::sc_module {
  private:
   void run() {
     process();
-    finished_ = true;
+    finish();
   }
 
   bool finished_ = false;
@@ -66,20 +70,74 @@ class PipelineUnit : public BlockUnit {
 
   void process() override {
     for (;;) {
-      Token token = in_.pop(time_);
-      const Token::Kind kind = token.kind;
-      if (kind == Token::Kind::work) {
+      const Token token = in_.pop(time_);
+      if (token.kind == Token::Kind::work) {
         work(token);
         continue;
       }
       time_.work(1);
-      out_.push(time_, std::move(token));
-      if (kind == Token::Kind::end) return;
+      out_.push(time_, token);
+      if (token.kind == Token::Kind::end) return;
     }
   }
 
   Link<Token>& in_;
   Link<Token>& out_;
+};
+
+/// The same for a unit without memory. What it does depends on its two links alone, so decoupled it
+/// needs no process: it works when the units beside it ask.
+class OnDemandUnit : public BlockUnit, public OnDemand {
+ public:
+  OnDemandUnit(sc_core::sc_module_name name, Timing timing, Link<Token>& in, Link<Token>& out)
+      : BlockUnit(name, timing, timing == Timing::clocked), in_(in), out_(out) {
+    if (timing == Timing::clocked) return;
+    in.consumed_by(*this);
+    out.produced_by(*this);
+  }
+
+  bool work_ahead() final {
+    if (at_work_) return false;  // a link asks for what is being done
+    at_work_ = true;
+    bool any = false;
+    while (has_token_ ? out_.has_room() : !finished() && in_.has_item()) {
+      step();
+      any = true;
+    }
+    at_work_ = false;
+    return any;
+  }
+  void wait_for_input() final { in_.wait_for_item(); }
+  bool is_awaited() const final { return in_.is_awaited(); }
+
+ protected:
+  /// Works on a token of kind work that was taken, and on one that was handed on. \return whether
+  /// there is something to hand on: the token as it is then
+  virtual bool begin(Token& token) = 0;
+  virtual bool proceed(Token& /*token*/) { return false; }
+
+ private:
+  void process() final {
+    while (!finished()) step();
+  }
+  /// Takes a token, or hands on the one there is.
+  void step() {
+    if (!has_token_) {
+      token_ = in_.pop(time_);
+      if (token_.kind != Token::Kind::work) time_.work(1);
+      has_token_ = token_.kind != Token::Kind::work || begin(token_);
+      return;
+    }
+    out_.push(time_, token_);
+    if (token_.kind == Token::Kind::end) finish();
+    has_token_ = token_.kind == Token::Kind::work && proceed(token_);
+  }
+
+  Link<Token>& in_;
+  Link<Token>& out_;
+  Token token_;
+  bool has_token_ = false;
+  bool at_work_ = false;
 };
 
 }  // namespace wedgesim::model::units

@@ -76,22 +76,19 @@ std::shared_ptr<PrimitiveWork> FrameWalk::walk(const SetupPrimitive& primitive, 
   datapath_.begin(primitive, pass);
   const PixelBox bounds = primitive.bounds();
   const int tile = datapath_.depth().tile();
-  unsigned steps = 0;
-  WalkedTile walked;
+  TileWork tile_work;
   for (int ty = bounds.y0 / tile; !bounds.empty() && ty * tile < bounds.y1; ++ty) {
     // A walker finds a row's first touched tile by itself; it steps over the touched ones alone.
     const TileSpan row = datapath_.begin_row(ty);
     for (int tx = row.first; tx < row.end; ++tx) {
       if (!datapath_.touches(tx)) continue;
-      ++steps;
-      if (!datapath_.process(tx, walked.work)) continue;
-      walked.steps = steps;
-      steps = 0;
-      work->tiles.push_back(std::move(walked));
-      walked = {};
+      ++tile_work.steps;
+      if (!datapath_.process(tx, tile_work, work->blocks)) continue;
+      work->tiles.push_back(tile_work);
+      tile_work.steps = 0;
     }
   }
-  work->steps_after = steps;
+  work->steps_after = tile_work.steps;
   datapath_.end();
   return work;
 }

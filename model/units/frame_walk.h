@@ -3,17 +3,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "model/units/tile_work.h"
 
 namespace wedgesim::model::units {
-
-/// A tile of a primitive as the units see it.
-struct WalkedTile {
-  unsigned steps = 0;  // of the tile walk since the tile before, this one included
-  TileWork work;
-};
 
 /// A block whose stencil is added to LI.
 struct MergedBlock {
@@ -27,9 +22,14 @@ struct PrimitiveWork {
   std::uint64_t record_offset = 0, record_bytes = 0;
   unsigned planes = 0, edges = 0;  // what setup prepares
   bool barrier = false;            // the units must be empty before it
-  std::vector<WalkedTile> tiles;
-  unsigned steps_after = 0;  // of the tile walk behind the last tile
+  std::vector<TileWork> tiles;
+  std::vector<BlockWork> blocks;  // of its tiles, one tile's after the other's
+  unsigned steps_after = 0;       // of the tile walk behind the last tile
   std::vector<MergedBlock> merged;
+
+  std::span<const BlockWork> blocks_of(const TileWork& tile) const {
+    return {blocks.data() + tile.first_block, tile.blocks};
+  }
 };
 
 /// Walks the frame pass by pass, primitive by primitive, in the order of the trace; in each, tiles

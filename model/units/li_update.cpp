@@ -59,9 +59,9 @@ void LiUpdate::clear(Surface surface) {
 }
 
 void LiUpdate::work(const Token& token) {
-  const TileWork& tile = token.walked().work;
+  const TileWork& tile = token.work();
   bool writes = false;
-  for (const BlockWork& block : tile.blocks) {
+  for (const BlockWork& block : token.blocks()) {
     const std::uint64_t umbra = three_pass_ ? block.umbra_writes : 0;
     const std::uint64_t li = block.writes | (block.umbra_writes & ~umbra);
     if (umbra != 0) update(Surface::stencil, block, umbra, token, tile.tile);

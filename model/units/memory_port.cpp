@@ -16,8 +16,8 @@ unsigned turn_of(memory::Surface surface) { return static_cast<unsigned>(surface
 
 Cycle MemoryPort::access(UnitTime& time, const AccessTag& tag, std::uint64_t address,
                          unsigned bytes, bool write) {
-  const sc_core::sc_time at = time.sync(turn_of(tag.surface));
-  CHECK_EQ(cycle_at(at), time.now());
+  const std::uint64_t at = time.sync(turn_of(tag.surface));
+  CHECK_EQ(at / kResolutionsPerCycle, time.now());
   Traffic& traffic = traffic_[static_cast<std::size_t>(tag.surface)];
   (write ? traffic.writes : traffic.reads) += 1;
   (write ? traffic.write_bytes : traffic.read_bytes) += bytes;
@@ -46,16 +46,16 @@ Cycle MemoryPort::access(UnitTime& time, const AccessTag& tag, std::uint64_t add
   payload.set_dmi_allowed(false);
   payload.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
   // The kernel may be behind: the target hears by how much.
-  sc_core::sc_time delay = at - sc_core::sc_time_stamp();
+  sc_core::sc_time delay = sc_core::sc_time::from_value(at - sc_core::sc_time_stamp().value());
   request.under_way = true;
   socket->b_transport(payload, delay);
   request.under_way = false;
   if (!payload.is_response_ok()) {
     throw std::runtime_error("memory answers " + payload.get_response_string());
   }
-  const sc_core::sc_time after = sc_core::sc_time_stamp();
-  const Cycle done = time.now() + time_to_cycles(after + delay - at);
-  if (after > at) time.was_held(time_to_cycles(after - at));
+  const std::uint64_t after = sc_core::sc_time_stamp().value();
+  const Cycle done = time.now() + whole_cycles(after + delay.value() - at);
+  if (after > at) time.was_held(whole_cycles(after - at));
   last_done_ = std::max(last_done_, done);
   return done;
 }

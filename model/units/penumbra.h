@@ -18,18 +18,18 @@ struct PenumbraConfig {
 /// Latency out.latency_cycles.
 /// Stall   while `out` is full.
 /// Source  Paper II, section 3; Papers III and IV for coverage.
-class Penumbra final : public PipelineUnit {
+class Penumbra final : public OnDemandUnit {
  public:
   Penumbra(sc_core::sc_module_name name, Timing timing, const PenumbraConfig& config,
            Link<Token>& in, Link<Token>& out)
-      : PipelineUnit(name, timing, in, out), lanes_(static_cast<unsigned>(config.lanes)) {}
+      : OnDemandUnit(name, timing, in, out), lanes_(static_cast<unsigned>(config.lanes)) {}
 
  private:
-  void work(const Token& token) override {
-    const unsigned pixels = token.walked().work.pixels();
+  bool begin(Token& token) override {
+    const unsigned pixels = token.work().pixels;
     time_.work((pixels + lanes_ - 1) / lanes_);
     pixels_ += pixels;
-    out_.push(time_, token);
+    return true;
   }
 
   const unsigned lanes_;

@@ -31,7 +31,7 @@ class TileCull final : public PipelineUnit {
 
  private:
   void work(const Token& token) override {
-    const TileWork& tile = token.walked().work;
+    const TileWork& tile = token.work();
     Cycle ready = 0;
     if (tile.words > 0) {
       const std::uint64_t address = layout_.address(
@@ -43,7 +43,7 @@ class TileCull final : public PipelineUnit {
     }
     time_.work(tile.visits);
     visits_ += tile.visits;
-    if (tile.blocks.empty()) {
+    if (tile.blocks == 0) {
       culled_ += 1;
       return;
     }

@@ -15,26 +15,31 @@ struct TileWalkConfig {
 /// Rate    cycles_a_tile for each touched tile; a primitive that touches none takes one cycle.
 /// Stall   while `out` is full.
 /// Source  Paper II, section 3 (one tile a cycle).
-class TileWalk final : public PipelineUnit {
+class TileWalk final : public OnDemandUnit {
  public:
   TileWalk(sc_core::sc_module_name name, Timing timing, const TileWalkConfig& config,
            Link<Token>& in, Link<Token>& out)
-      : PipelineUnit(name, timing, in, out),
+      : OnDemandUnit(name, timing, in, out),
         cycles_a_tile_(static_cast<Cycle>(config.cycles_a_tile)) {}
 
  private:
-  void work(const Token& token) override {
+  bool begin(Token& token) override {
     const PrimitiveWork& primitive = *token.primitive;
-    for (std::uint32_t i = 0; i < primitive.tiles.size(); ++i) {
-      step(primitive.tiles[i].steps);
-      out_.push(time_, {Token::Kind::work, i, token.primitive});
-    }
-    step(primitive.steps_after);
     if (primitive.tiles.empty() && primitive.steps_after == 0) time_.work(1);
+    return walk_to(token);
   }
-  void step(unsigned tiles) {
+  bool proceed(Token& token) override {
+    ++token.tile;
+    return walk_to(token);
+  }
+  // To the tile of the token, or to the primitive's end.
+  bool walk_to(const Token& token) {
+    const PrimitiveWork& primitive = *token.primitive;
+    const bool more = token.tile < primitive.tiles.size();
+    const std::uint32_t tiles = more ? token.work().steps : primitive.steps_after;
     time_.work(tiles * cycles_a_tile_);
     tiles_ += tiles;
+    return more;
   }
 
   const Cycle cycles_a_tile_;

@@ -32,14 +32,11 @@ bool may_be_untested(Cull cull) {
 
 }  // namespace
 
-unsigned TileWork::pixels() const {
-  std::uint64_t pixels = 0;
-  for (const BlockWork& block : blocks) {
-    const std::uint64_t faces = block.reads | block.writes;
-    const std::uint64_t umbra = block.umbra_reads | block.umbra_writes;
-    pixels += shared ? bit_count(faces | umbra) : bit_count(faces) + bit_count(umbra);
-  }
-  return static_cast<unsigned>(pixels);
+unsigned BlockWork::pixels(bool shared) const {
+  const std::uint64_t faces = reads | writes;
+  const std::uint64_t umbra = umbra_reads | umbra_writes;
+  return static_cast<unsigned>(shared ? bit_count(faces | umbra)
+                                      : bit_count(faces) + bit_count(umbra));
 }
 
 TileDatapath::TileDatapath(const traces::TraceView& trace, const CountConfig& config, bool z_fail,
@@ -134,24 +131,28 @@ void TileDatapath::cover(int tx) {
   }
 }
 
-bool TileDatapath::process(int tx, TileWork& work) {
+bool TileDatapath::process(int tx, TileWork& work, std::vector<BlockWork>& blocks) {
   cover(tx);
   if (parts_.empty()) return false;
   covered_any_ = true;
   work.tile = static_cast<std::uint32_t>(depth_.tile_index(tx, ty_));
-  work.blocks.clear();
+  work.first_block = static_cast<std::uint32_t>(blocks.size());
   work.shared = shared();
   count_visits(work);
   const datapath::FixedBox box = depth_.box(tx, ty_);
   const Tests tests = test(box);
-  for (std::size_t part = 0; part < parts_.size(); ++part) work_on_part(part, tests, work);
-
   bool reads = false;
   bool umbra_reads = false;
-  for (const BlockWork& block : work.blocks) {
+  work.pixels = 0;
+  for (std::size_t part = 0; tests.any() && part < parts_.size(); ++part) {
+    const BlockWork block = work_on_part(part, tests, work.shared);
+    if ((block.reads | block.umbra_reads | block.umbra_writes) == 0) continue;
+    blocks.push_back(block);
+    work.pixels += block.pixels(work.shared);
     reads = reads || block.reads != 0;
     umbra_reads = umbra_reads || block.umbra_reads != 0;
   }
+  work.blocks = static_cast<std::uint16_t>(blocks.size() - work.first_block);
   const PixelBox p = depth_.pixels(tx, ty_);
   const auto pixels = static_cast<std::uint64_t>((p.x1 - p.x0) * (p.y1 - p.y0));
   const unsigned tiles =
@@ -181,12 +182,13 @@ void TileDatapath::count_visits(TileWork& work) {
   const unsigned for_face = face_words(config_.cull);
   const bool cap = umbra_active() && primitive_->umbra->cap;
   const unsigned for_umbra = cap ? 0 : umbra_words(config_);
-  work.visits = static_cast<unsigned>(bit_count(faces_here)) + (own_visit ? 1 : 0);
-  work.words = static_cast<unsigned>(bit_count(faces_here) * bit_count(for_face) +
-                                     (own_visit ? bit_count(for_umbra) : 0));
-  if (work.shared && umbra != 0 && faces_here != 0) {
-    work.words += static_cast<unsigned>(bit_count(for_umbra & ~for_face));
-  }
+  const std::uint64_t visits = bit_count(faces_here) + (own_visit ? 1 : 0);
+  std::uint64_t words =
+      bit_count(faces_here) * bit_count(for_face) + (own_visit ? bit_count(for_umbra) : 0);
+  if (work.shared && umbra != 0 && faces_here != 0) words += bit_count(for_umbra & ~for_face);
+  // At most 64 faces and an umbra polygon, two words each.
+  work.visits = static_cast<std::uint8_t>(visits);
+  work.words = static_cast<std::uint8_t>(words);
   counters_.tile_visits += work.visits;
   counters_.tile_reads += work.words;
   if (work.words > 0) tiles_read_[work.tile] = true;
@@ -254,7 +256,7 @@ bool TileDatapath::inner(const datapath::Place& at, bool covered) const {
   return umbra.inner.inside(at);
 }
 
-void TileDatapath::work_on_part(std::size_t index, const Tests& tests, TileWork& work) {
+BlockWork TileDatapath::work_on_part(std::size_t index, const Tests& tests, bool shared) {
   const BlockPart& part = parts_[index];
   const std::size_t faces = primitive_->faces.size();
   BlockWork block{
@@ -292,13 +294,13 @@ void TileDatapath::work_on_part(std::size_t index, const Tests& tests, TileWork&
     if (((block.reads | block.umbra_reads) & pixel) != 0) z_touched_[depth_.index(x, y)] = true;
   }
   const std::uint64_t umbra_writes = bit_count(block.umbra_writes);
-  counters_.z_reads += work.shared ? bit_count(block.reads | block.umbra_reads)
-                                   : bit_count(block.reads) + bit_count(block.umbra_reads);
-  counters_.li_writes += work.shared ? bit_count(block.writes | block.umbra_writes)
-                                     : bit_count(block.writes) + umbra_writes;
+  counters_.z_reads += shared ? bit_count(block.reads | block.umbra_reads)
+                              : bit_count(block.reads) + bit_count(block.umbra_reads);
+  counters_.li_writes += shared ? bit_count(block.writes | block.umbra_writes)
+                                : bit_count(block.writes) + umbra_writes;
   if (config_.mode == Mode::three_pass) counters_.stencil_writes += umbra_writes;
   counters_.pixels_inside += bit_count(block.writes);
-  if ((block.reads | block.umbra_reads | block.umbra_writes) != 0) work.blocks.push_back(block);
+  return block;
 }
 
 void TileDatapath::write(int x, int y, std::int64_t li_words, int step) {

@@ -24,18 +24,21 @@ struct BlockWork {
   std::uint64_t umbra_reads = 0;   // z, for the umbra polygon: Q
   std::uint64_t writes = 0;        // LI, penumbra
   std::uint64_t umbra_writes = 0;  // LI, or the stencil in three-pass
+
+  /// Pixels that penumbra takes in: each once if shared, else once for each polygon.
+  unsigned pixels(bool shared) const;
 };
 
-/// One primitive in one tile.
+/// One primitive in one tile. There are many: kept small.
 struct TileWork {
-  std::uint32_t tile = 0;  // index, row by row
-  unsigned visits = 0;
-  unsigned words = 0;  // of {zmin, zmax} that the visits' tests name
+  std::uint32_t steps = 0;        // of the tile walk since the tile before, this one included
+  std::uint32_t tile = 0;         // index, row by row
+  std::uint32_t first_block = 0;  // of the primitive's blocks that read or write
+  std::uint32_t pixels = 0;       // that penumbra takes in
+  std::uint16_t blocks = 0;       // how many
+  std::uint8_t visits = 0;
+  std::uint8_t words = 0;  // of {zmin, zmax} that the visits' tests name
   bool shared = false;
-  std::vector<BlockWork> blocks;  // those that read or write
-
-  /// Pixels that the penumbra datapath takes in: each once if shared, else once for each polygon.
-  unsigned pixels() const;
 };
 
 /// What the block's units compute, tile after tile, without time: which visits survive, which
@@ -55,7 +58,8 @@ class TileDatapath {
   bool touches(int tx) const;
   /// One tile of the row that is touched. False if none of its pixels is covered; `work` is void
   /// then.
-  bool process(int tx, TileWork& work);
+  /// \param blocks  of the primitive, to which the tile's are added
+  bool process(int tx, TileWork& work, std::vector<BlockWork>& blocks);
   /// The primitive's tiles are done.
   void end();
   /// Three-pass, between the umbra passes and the penumbra: adds the stencil to LI.
@@ -77,6 +81,7 @@ class TileDatapath {
     std::uint64_t survivors = 0;  // faces
     bool untested = false;        // the box is inside the wedge
     bool reads_umbra = false, accepts_umbra = false;
+    bool any() const { return survivors != 0 || reads_umbra || accepts_umbra; }
   };
   bool faces_active() const { return pass_ == Pass::single || pass_ == Pass::penumbra; }
   bool umbra_active() const { return primitive_->umbra && pass_ != Pass::penumbra; }
@@ -86,7 +91,7 @@ class TileDatapath {
   void cover(int tx);
   void count_visits(TileWork& work);
   Tests test(const datapath::FixedBox& box);
-  void work_on_part(std::size_t part, const Tests& tests, TileWork& work);
+  BlockWork work_on_part(std::size_t part, const Tests& tests, bool shared);
   bool inside(const datapath::Place& at) const;
   bool inner(const datapath::Place& at, bool covered) const;
   void write(int x, int y, std::int64_t li_words, int step);

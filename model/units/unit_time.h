@@ -26,9 +26,10 @@ inline constexpr Cycle kResolutionsPerCycle = 1000;
 inline sc_core::sc_time cycles_to_time(Cycle cycles) {
   return sc_core::sc_time::from_value(kResolutionsPerCycle * cycles);
 }
-/// Whole cycles of a duration, rounded up: what is done within a cycle is there at its end.
-inline Cycle time_to_cycles(const sc_core::sc_time& time) {
-  return (time.value() + kResolutionsPerCycle - 1) / kResolutionsPerCycle;
+/// Whole cycles of a duration in the kernel's resolution, rounded up: what is done within a cycle
+/// is there at its end.
+inline Cycle whole_cycles(std::uint64_t duration) {
+  return (duration + kResolutionsPerCycle - 1) / kResolutionsPerCycle;
 }
 /// The cycle that a point in time lies in.
 inline Cycle cycle_at(const sc_core::sc_time& time) { return time.value() / kResolutionsPerCycle; }
@@ -63,18 +64,22 @@ class UnitTime {
   /// if nothing else is due until then.
   /// \param turn  the unit's place among those that sync in one cycle, less than
   ///              kResolutionsPerCycle
-  /// \return      the time it then is for the unit: its cycle and its turn, or later
-  sc_core::sc_time sync(unsigned turn) const {
-    const sc_core::sc_time own = cycles_to_time(now_) + sc_core::sc_time::from_value(turn);
-    const sc_core::sc_time& kernel = sc_core::sc_time_stamp();
+  /// \return      the time it then is for the unit, in the kernel's resolution: its cycle and its
+  ///              turn, or later
+  std::uint64_t sync(unsigned turn) const {
+    const std::uint64_t own = kResolutionsPerCycle * now_ + turn;
+    const std::uint64_t kernel = sc_core::sc_time_stamp().value();
     if (own <= kernel) return kernel;
-    if (sc_core::sc_time_to_pending_activity() <= own - kernel) sc_core::wait(own - kernel);
+    if (sc_core::sc_time_to_pending_activity().value() <= own - kernel) {
+      sc_core::wait(sc_core::sc_time::from_value(own - kernel));
+    }
     return own;
   }
 
   /// Calls `listener` for the cycles [begin, end) that the unit spends in a state, from now on.
   void listen(std::function<void(UnitState state, Cycle begin, Cycle end)> listener) {
     listener_ = std::move(listener);
+    alone_ = false;
   }
 
   Cycle busy() const { return busy_.value(); }
@@ -89,6 +94,14 @@ class UnitTime {
   }
   void advance(Cycle cycles, UnitState state, Counter& counter) {
     counter += cycles;
+    if (alone_) {
+      now_ += cycles;
+    } else {
+      advance_seen(cycles, state);
+    }
+  }
+  // With someone who listens, or with the kernel.
+  void advance_seen(Cycle cycles, UnitState state) {
     if (listener_) listener_(state, now_, now_ + cycles);
     if (timing_ == Timing::decoupled) {
       now_ += cycles;
@@ -102,6 +115,7 @@ class UnitTime {
   }
 
   Timing timing_;
+  bool alone_ = timing_ == Timing::decoupled;  // neither kernel nor listener follows each cycle
   Group& statistics_;
   std::function<void(UnitState, Cycle, Cycle)> listener_;
   Cycle now_ = 0;

@@ -16,20 +16,20 @@ struct WedgeSetupConfig {
 ///         part in the pass, at least one cycle.
 /// Stall   while `out` is full.
 /// Source  Paper II, section 3.
-class WedgeSetup final : public PipelineUnit {
+class WedgeSetup final : public OnDemandUnit {
  public:
   WedgeSetup(sc_core::sc_module_name name, Timing timing, const WedgeSetupConfig& config,
              Link<Token>& in, Link<Token>& out)
-      : PipelineUnit(name, timing, in, out), config_(config) {}
+      : OnDemandUnit(name, timing, in, out), config_(config) {}
 
  private:
-  void work(const Token& token) override {
+  bool begin(Token& token) override {
     const Cycle cycles =
         Cycle{token.primitive->planes} * static_cast<Cycle>(config_.cycles_a_plane) +
         Cycle{token.primitive->edges} * static_cast<Cycle>(config_.cycles_an_edge);
     time_.work(std::max<Cycle>(cycles, 1));
     primitives_ += 1;
-    out_.push(time_, token);
+    return true;
   }
 
   const WedgeSetupConfig config_;

@@ -29,12 +29,12 @@ class ZRead final : public PipelineUnit {
 
  private:
   void work(const Token& token) override {
-    const TileWork& tile = token.walked().work;
+    const TileWork& tile = token.work();
     const AccessTag tag{memory::Surface::z, memory::Cause::fill, token.wedge(),
                         static_cast<std::int64_t>(tile.tile)};
     Cycle ready = 0;
     bool reads = false;
-    for (const BlockWork& block : tile.blocks) {
+    for (const BlockWork& block : token.blocks()) {
       const std::uint64_t set = block.reads | block.umbra_reads;
       if (set == 0) continue;
       reads = true;

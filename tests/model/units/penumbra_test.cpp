@@ -12,8 +12,7 @@ struct PenumbraTest : BothTimings {
     const ScopedSimulation simulation;
     Pipeline pipeline;
     const Penumbra unit("penumbra", GetParam(), {lanes, {}}, pipeline.in, pipeline.out);
-    PrimitiveWork* const work = wedge_work(0, {walked_tile(0, {block})});
-    work->tiles[0].work.shared = shared;
+    PrimitiveWork* const work = wedge_work(0, {walked_tile(0, {block}, shared)});
     pipeline.run(unit, {{Token::Kind::work, 0, work}}, 1);
     return unit.time().busy() - 1;  // the end takes one
   }

@@ -21,7 +21,7 @@ TEST_P(TileCullTest, AVisitACycleAndAReadThatOverlaps) {
   Token second = tile_token(1, 3, {block_work(1, 1, 1)});
   Token third = tile_token(2, 0, {block_work(0, 0, 1)});
   const auto tile = [](Token& token) -> TileWork& {
-    return const_cast<PrimitiveWork&>(*token.primitive).tiles[0].work;
+    return const_cast<PrimitiveWork&>(*token.primitive).tiles[0];
   };
   tile(first).visits = 3;
   tile(second).visits = 16;

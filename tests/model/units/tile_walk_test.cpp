@@ -25,7 +25,7 @@ TEST_P(TileWalkTest, EveryTouchedTileTakesItsCycles) {
                3);
   EXPECT_EQ(pipeline.popped, (std::vector<Cycle>{5, 17, 27}));
   EXPECT_EQ(pipeline.items[1].tile, 1U);
-  EXPECT_EQ(pipeline.items[1].walked().work.tile, 9U);
+  EXPECT_EQ(pipeline.items[1].work().tile, 9U);
   EXPECT_EQ(pipeline.items[2].wedge(), 2);
   EXPECT_EQ(statistic(unit, "tiles"), 8U);
   EXPECT_EQ(unit.time().busy(), 21U + 1 + 3 + 1);  // the end takes one

@@ -82,10 +82,10 @@ TEST_P(UnitTimeTest, TurnsOrderWhatHappensInACycle) {
   const auto with_turn = [&](unsigned turn) {
     return [&, turn](UnitTime& time) {
       time.work(5);
-      EXPECT_EQ(cycle_at(time.sync(turn)), 5U);
+      EXPECT_EQ(time.sync(turn) / kResolutionsPerCycle, 5U);
       order += std::to_string(turn);
       time.work(1);
-      EXPECT_EQ(cycle_at(time.sync(9 - turn)), 6U);
+      EXPECT_EQ(time.sync(9 - turn) / kResolutionsPerCycle, 6U);
       order += std::to_string(9 - turn);
     };
   };

@@ -18,19 +18,29 @@ inline BlockWork block_work(int bx, int by, std::uint64_t pixels) {
   return {static_cast<std::uint16_t>(bx), static_cast<std::uint16_t>(by), pixels, 0, pixels, 0};
 }
 
+/// A tile and its blocks.
+struct WalkedTile {
+  TileWork work;
+  std::vector<BlockWork> blocks;
+};
+
 /// A tile that the walk finds with its first step; one visit, which names both depths.
-inline WalkedTile walked_tile(std::uint32_t index, std::vector<BlockWork> blocks) {
+inline WalkedTile walked_tile(std::uint32_t index, std::vector<BlockWork> blocks,
+                              bool shared = false) {
   WalkedTile tile;
-  tile.steps = 1;
+  tile.work.steps = 1;
   tile.work.tile = index;
   tile.work.visits = 1;
   tile.work.words = 2;
-  tile.work.blocks = std::move(blocks);
+  tile.work.shared = shared;
+  tile.work.blocks = static_cast<std::uint16_t>(blocks.size());
+  for (const BlockWork& block : blocks) tile.work.pixels += block.pixels(shared);
+  tile.blocks = std::move(blocks);
   return tile;
 }
 
 /// A wedge of 4 planes and 8 edges whose record is 128 bytes. Lives as long as the test program.
-inline PrimitiveWork* wedge_work(std::uint32_t index, std::vector<WalkedTile> tiles) {
+inline PrimitiveWork* wedge_work(std::uint32_t index, const std::vector<WalkedTile>& tiles) {
   static std::deque<PrimitiveWork> works;
   PrimitiveWork* work = &works.emplace_back();
   work->wedge = index;
@@ -38,7 +48,11 @@ inline PrimitiveWork* wedge_work(std::uint32_t index, std::vector<WalkedTile> ti
   work->record_bytes = 128;
   work->planes = 4;
   work->edges = 8;
-  work->tiles = std::move(tiles);
+  for (const WalkedTile& tile : tiles) {
+    work->tiles.push_back(tile.work);
+    work->tiles.back().first_block = static_cast<std::uint32_t>(work->blocks.size());
+    work->blocks.insert(work->blocks.end(), tile.blocks.begin(), tile.blocks.end());
+  }
   return work;
 }
 
