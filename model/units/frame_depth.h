@@ -53,6 +53,12 @@ class FrameDepth {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(x);
   }
+  /// Of the 8x8 blocks, row by row.
+  std::size_t block_count() const { return block_index(0, (height_ + 7) / 8); }
+  std::size_t block_index(int bx, int by) const {
+    return static_cast<std::size_t>(by) * static_cast<std::size_t>((width_ + 7) / 8) +
+           static_cast<std::size_t>(bx);
+  }
   std::int64_t z(int x, int y) const { return z_[index(x, y)]; }
   /// A tile's pixels in the frame.
   PixelBox pixels(int tx, int ty) const {

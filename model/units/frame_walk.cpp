@@ -37,14 +37,17 @@ std::shared_ptr<const PrimitiveWork> FrameWalk::next() {
     const std::size_t index = index_++;
     SetupPrimitive primitive;
     const bool is_wedge = index < wedges;
-    const auto umbra = is_wedge ? setup_.umbra_of_wedge(static_cast<std::uint32_t>(index))
+    auto umbra = is_wedge ? setup_.umbra_of_wedge(static_cast<std::uint32_t>(index))
                                 : setup_.umbra(lone_[index - wedges]);
     const bool umbra_pass = pass == Pass::umbra_near || pass == Pass::umbra_far;
     // Near: the umbra polygons that face as the wedges' faces do.
     if (umbra_pass && (!umbra || umbra->hits_inner != (pass == Pass::umbra_near))) continue;
     if (!is_wedge && (!umbra || pass == Pass::penumbra)) continue;
-    if (is_wedge) primitive = setup_.penumbra(static_cast<std::uint32_t>(index));
-    primitive.umbra = umbra;
+    if (is_wedge) {
+      primitive = setup_.penumbra(static_cast<std::uint32_t>(index));
+      primitive.record_bytes = record_offsets_[index + 1] - record_offsets_[index];
+    }
+    primitive.umbra = std::move(umbra);
     auto work = walk(primitive, pass);
     if (is_wedge) {
       work->wedge = static_cast<std::uint32_t>(index);
@@ -77,18 +80,22 @@ std::shared_ptr<PrimitiveWork> FrameWalk::walk(const SetupPrimitive& primitive, 
   const PixelBox bounds = primitive.bounds();
   const int tile = datapath_.depth().tile();
   TileWork tile_work;
+  tiles_.clear();
+  blocks_.clear();
   for (int ty = bounds.y0 / tile; !bounds.empty() && ty * tile < bounds.y1; ++ty) {
     // A walker finds a row's first touched tile by itself; it steps over the touched ones alone.
     const TileSpan row = datapath_.begin_row(ty);
     for (int tx = row.first; tx < row.end; ++tx) {
       if (!datapath_.touches(tx)) continue;
       ++tile_work.steps;
-      if (!datapath_.process(tx, tile_work, work->blocks)) continue;
-      work->tiles.push_back(tile_work);
+      if (!datapath_.process(tx, tile_work, blocks_)) continue;
+      tiles_.push_back(tile_work);
       tile_work.steps = 0;
     }
   }
   work->steps_after = tile_work.steps;
+  work->tiles = tiles_;
+  work->blocks = blocks_;
   datapath_.end();
   return work;
 }

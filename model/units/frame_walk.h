@@ -60,7 +60,9 @@ class FrameWalk {
   std::vector<std::uint64_t> record_offsets_;  // of each wedge, and their end
   std::vector<Pass> passes_;
   std::size_t pass_ = 0;
-  std::size_t index_ = 0;  // in the pass: wedges, then lone polygons
+  std::size_t index_ = 0;        // in the pass: wedges, then lone polygons
+  std::vector<TileWork> tiles_;  // of the primitive at hand: their room is used again
+  std::vector<BlockWork> blocks_;
   bool barrier_ = false;
   bool finished_ = false;
 };

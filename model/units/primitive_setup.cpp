@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "traces/record.h"
-
 namespace wedgesim::model::units {
 namespace {
 
@@ -58,6 +56,7 @@ PrimitiveSetup::PrimitiveSetup(const traces::TraceView& trace, bool z_fail,
 template <typename Polygon>
 SetupPolygon PrimitiveSetup::polygon(const Polygon& source) const {
   std::vector<Corner> corners;
+  corners.reserve(source.index_count());
   for (std::uint32_t index : trace_.indices.subspan(source.first_index(), source.index_count())) {
     corners.push_back({trace_.vertices[index].x(), trace_.vertices[index].y()});
   }
@@ -71,6 +70,7 @@ SetupPolygon PrimitiveSetup::polygon(const Polygon& source) const {
   if (area == 0 || corners.size() < 3) return polygon;
   polygon.eye_facing = area < 0;
   if (polygon.eye_facing) std::reverse(corners.begin(), corners.end());
+  polygon.edges.reserve(corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Corner& p = corners[i];
     const Corner& q = corners[(i + 1) % corners.size()];
@@ -94,8 +94,9 @@ SetupPrimitive PrimitiveSetup::penumbra(std::uint32_t index) const {
   const traces::fb::Wedge& wedge = trace_.wedges[index];
   SetupPrimitive primitive;
   primitive.wedge = index;
-  primitive.record_bytes = traces::wedge_record_bytes(trace_, index);
   primitive.coverage = wedge.kind() == traces::fb::WedgeKind_coverage;
+  primitive.planes.reserve(wedge.plane_count());
+  primitive.faces.reserve(wedge.face_count());
   for (std::uint16_t i = 0; i < wedge.plane_count(); ++i) {
     primitive.planes.push_back(plane((*wedge.planes())[i]));
   }

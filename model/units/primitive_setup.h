@@ -50,7 +50,7 @@ struct SetupUmbra {
 /// What setup hands to the tile walk: a wedge with its umbra polygon, or one of them alone.
 struct SetupPrimitive {
   std::optional<std::uint32_t> wedge;  // index in the trace
-  std::uint64_t record_bytes = 0;      // fetched for it
+  std::uint64_t record_bytes = 0;      // fetched for it; the walk knows
   bool coverage = false;
   std::vector<datapath::FixedPlane> planes;
   ZSpan z;
@@ -70,7 +70,7 @@ class PrimitiveSetup {
   /// \param z_fail  faces that do not face the eye take part, and caps and bottoms
   PrimitiveSetup(const traces::TraceView& trace, bool z_fail, const datapath::Formats& formats);
 
-  /// A wedge's faces, planes and light; no umbra polygon. \param index  of the wedge
+  /// A wedge's faces, planes and light; no umbra polygon, no bytes. \param index  of the wedge
   SetupPrimitive penumbra(std::uint32_t index) const;
   /// The umbra polygon of a wedge that takes part, or nothing.
   std::optional<SetupUmbra> umbra_of_wedge(std::uint32_t index) const;

@@ -12,14 +12,24 @@ using datapath::EdgeFunction;
 // Four rows of a block, side by side in a vector register.
 using Rows [[gnu::vector_size(16)]] = std::int32_t;
 
-// The pixels of four rows that are outside an edge; \p value is that of the first.
+// The pixels of a block that are outside an edge; \p value is that of the first.
 std::uint64_t outside_rows(std::int32_t value, std::int32_t a, std::int32_t b) {
   // From the last column to the first, each row's signs are shifted in.
-  Rows values = Rows{0, 1, 2, 3} * b + (value + 7 * a);
-  Rows bits{};
-  for (int x = 0; x < 8; ++x, values -= a) bits += bits - (values >> 31);
+  Rows upper = Rows{0, b, 2 * b, 3 * b} + (value + 7 * a);
+  Rows lower = upper + 4 * b;
+  Rows upper_bits{};
+  Rows lower_bits{};
+  for (int x = 0; x < 8; ++x) {
+    upper_bits += upper_bits - (upper >> 31);
+    lower_bits += lower_bits - (lower >> 31);
+    upper -= a;
+    lower -= a;
+  }
   std::uint64_t set = 0;
-  for (int y = 0; y < 4; ++y) set |= static_cast<std::uint64_t>(bits[y]) << (8 * y);
+  for (int y = 0; y < 4; ++y) {
+    set |= static_cast<std::uint64_t>(upper_bits[y]) << (8 * y);
+    set |= static_cast<std::uint64_t>(lower_bits[y]) << (8 * y + 32);
+  }
   return set;
 }
 
@@ -37,7 +47,7 @@ std::uint64_t outside(const EdgeFunction& edge, int x0, int y0) {
   const auto value = static_cast<std::int32_t>(edge.at(x0, y0) >> 8);
   const auto a = static_cast<std::int32_t>(edge.a / 256);
   const auto b = static_cast<std::int32_t>(edge.b / 256);
-  return outside_rows(value, a, b) | outside_rows(value + 4 * b, a, b) << 32;
+  return outside_rows(value, a, b);
 }
 
 }  // namespace
@@ -49,9 +59,10 @@ std::uint64_t covered(const SetupPolygon& polygon, const BlockPart& part) {
   const int y0 = std::max(part.y0, bounds.y0);
   const int y1 = std::min(part.y1, bounds.y1);
   if (x0 >= x1 || y0 >= y1) return 0;
+  constexpr std::uint64_t kFirstColumn = 0x0101010101010101;
   const std::uint64_t row = ((std::uint64_t{1} << (x1 - x0)) - 1) << (x0 % 8);
-  std::uint64_t set = 0;
-  for (int y = y0; y < y1; ++y) set |= row << (8 * (y % 8));
+  const std::uint64_t rows = ~std::uint64_t{0} >> (8 * (8 - (y1 - y0))) << (8 * (y0 % 8));
+  std::uint64_t set = row * kFirstColumn & rows;
   for (const EdgeFunction& edge : polygon.edges) {
     if (edge.misses(x0, y0, x1, y1)) return 0;
     // All inside, if the corner that is the least inside is.

@@ -51,9 +51,7 @@ TileDatapath::TileDatapath(const traces::TraceView& trace, const CountConfig& co
       stencil_(config.mode == Mode::three_pass ? trace.depth.size() : 0),
       true_li_(trace.depth.size(), formats.li.one()),
       true_stencil_(stencil_.size()),
-      z_touched_(trace.depth.size()),
-      li_touched_(trace.depth.size()),
-      inside_(trace.depth.size()),
+      blocks_(depth_.block_count()),
       contributions_(trace.depth.size()),
       tiles_read_(depth_.tile_count()),
       covering_wedges_(trace.wedges.size()) {}
@@ -280,7 +278,6 @@ BlockWork TileDatapath::work_on_part(std::size_t index, const Tests& tests, bool
     std::int64_t words = 0;
     if ((block.reads & pixel) != 0 && (tests.untested || inside(at))) {
       block.writes |= pixel;
-      inside_[depth_.index(x, y)] = true;
       contributions_[depth_.index(x, y)] += 1;
       words = formats_.li.of(datapath::contribution(primitive_->light, at, round_));
       if (primitive_->coverage && !inner(at, covered)) words = -words;
@@ -291,8 +288,11 @@ BlockWork TileDatapath::work_on_part(std::size_t index, const Tests& tests, bool
     const int step = (block.umbra_writes & pixel) != 0 ? primitive_->umbra->step : 0;
     if (((block.writes | block.umbra_writes) & pixel) != 0) write(x, y, words, step);
     if (step != 0) contributions_[depth_.index(x, y)] += 1;
-    if (((block.reads | block.umbra_reads) & pixel) != 0) z_touched_[depth_.index(x, y)] = true;
   }
+  BlockSets& sets = blocks_[depth_.block_index(part.bx(), part.by())];
+  sets.z_read |= block.reads | block.umbra_reads;
+  sets.li_written |= block.writes | block.umbra_writes;
+  sets.inside |= block.writes;
   const std::uint64_t umbra_writes = bit_count(block.umbra_writes);
   counters_.z_reads += shared ? bit_count(block.reads | block.umbra_reads)
                               : bit_count(block.reads) + bit_count(block.umbra_reads);
@@ -305,7 +305,6 @@ BlockWork TileDatapath::work_on_part(std::size_t index, const Tests& tests, bool
 
 void TileDatapath::write(int x, int y, std::int64_t li_words, int step) {
   const std::size_t i = depth_.index(x, y);
-  li_touched_[i] = true;
   if (config_.mode == Mode::three_pass) {
     const datapath::LiWord stencil{formats_.stencil_bits, 0};
     true_stencil_[i] += step;
@@ -350,13 +349,15 @@ void TileDatapath::finish() {
       counters_.tile_build_reads += static_cast<std::uint64_t>((p.x1 - p.x0) * (p.y1 - p.y0));
     }
   }
+  for (const BlockSets& sets : blocks_) {
+    counters_.z_reads_min += bit_count(sets.z_read);
+    counters_.z_reads_floor += bit_count(sets.inside);
+    counters_.li_writes_min += bit_count(sets.li_written);
+  }
   const datapath::LiWord stencil{formats_.stencil_bits, 0};
   for (std::size_t i = 0; i < pixels; ++i) {
-    counters_.z_reads_min += z_touched_[i] ? 1 : 0;
-    counters_.z_reads_floor += inside_[i] ? 1 : 0;
     counters_.contributions_max =
         std::max<std::uint64_t>(counters_.contributions_max.value(), contributions_[i]);
-    counters_.li_writes_min += li_touched_[i] ? 1 : 0;
     counters_.li_writes_floor += true_li_[i] != formats_.li.one() ? 1 : 0;
     const bool bad = !formats_.li.holds(true_li_[i]) || (three && !stencil.holds(true_stencil_[i]));
     counters_.li_overflow_pixels += bad ? 1 : 0;

@@ -83,6 +83,10 @@ class TileDatapath {
     bool reads_umbra = false, accepts_umbra = false;
     bool any() const { return survivors != 0 || reads_umbra || accepts_umbra; }
   };
+  /// Pixels of an 8x8 block to which something happened at least once.
+  struct BlockSets {
+    std::uint64_t z_read = 0, li_written = 0, inside = 0;
+  };
   bool faces_active() const { return pass_ == Pass::single || pass_ == Pass::penumbra; }
   bool umbra_active() const { return primitive_->umbra && pass_ != Pass::penumbra; }
   // The penumbra pass needs it for the sign of a coverage.
@@ -107,7 +111,7 @@ class TileDatapath {
   std::vector<std::int32_t> stencil_;
   std::vector<std::int64_t> true_li_;       // sums that do not wrap, to know an overflow
   std::vector<std::int32_t> true_stencil_;  // the same
-  std::vector<bool> z_touched_, li_touched_, inside_;
+  std::vector<BlockSets> blocks_;
   std::vector<std::uint32_t> contributions_;
   std::optional<std::array<int, 2>> first_overflow_;
   std::vector<bool> tiles_read_;
