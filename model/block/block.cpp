@@ -95,6 +95,7 @@ class Block {
       auto target = std::make_unique<MemoryTarget>("memory", *model_);
       port_.socket.bind(target->socket);
       target_ = std::move(target);
+      if (options.timing == units::Timing::decoupled) port_.bypass(*model_);
     }
     if (options.listener) port_.listen(options.listener);
     if (options.states) listen_to_states(options);

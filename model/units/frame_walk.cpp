@@ -1,6 +1,7 @@
 #include "model/units/frame_walk.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "traces/record.h"
 
@@ -38,7 +39,7 @@ std::shared_ptr<const PrimitiveWork> FrameWalk::next() {
     SetupPrimitive primitive;
     const bool is_wedge = index < wedges;
     auto umbra = is_wedge ? setup_.umbra_of_wedge(static_cast<std::uint32_t>(index))
-                                : setup_.umbra(lone_[index - wedges]);
+                          : setup_.umbra(lone_[index - wedges]);
     const bool umbra_pass = pass == Pass::umbra_near || pass == Pass::umbra_far;
     // Near: the umbra polygons that face as the wedges' faces do.
     if (umbra_pass && (!umbra || umbra->hits_inner != (pass == Pass::umbra_near))) continue;

@@ -33,6 +33,15 @@ Cycle MemoryPort::access(UnitTime& time, const AccessTag& tag, std::uint64_t add
     record.cause = tag.cause;
     listener_(record);
   }
+  const Cycle done = model_ != nullptr ? model_->access(address, bytes, write, time.now())
+                                       : transport(time, tag, address, bytes, write, at);
+  last_done_ = std::max(last_done_, done);
+  return done;
+}
+
+// \param at  the unit's time, in the kernel's resolution
+Cycle MemoryPort::transport(UnitTime& time, const AccessTag& tag, std::uint64_t address,
+                            unsigned bytes, bool write, std::uint64_t at) {
   Request& request = idle_request();
   request.waiting = {tag.surface, address, time.now()};
   if (request.data.size() < bytes) request.data.resize(bytes);
@@ -56,7 +65,6 @@ Cycle MemoryPort::access(UnitTime& time, const AccessTag& tag, std::uint64_t add
   const std::uint64_t after = sc_core::sc_time_stamp().value();
   const Cycle done = time.now() + whole_cycles(after + delay.value() - at);
   if (after > at) time.was_held(whole_cycles(after - at));
-  last_done_ = std::max(last_done_, done);
   return done;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/memory/layout.h"
+#include "model/memory/memory_model.h"
 #include "model/memory/memory_record.h"
 #include "model/units/unit_time.h"
 
@@ -37,6 +38,9 @@ class MemoryPort final : public sc_core::sc_module {
   /// \throws std::runtime_error if the target answers with an error
   Cycle access(UnitTime& time, const AccessTag& tag, std::uint64_t address, unsigned bytes,
                bool write);
+
+  /// From now on a model is asked directly, past the socket: as what answers its payloads would.
+  void bypass(memory::MemoryModel& model) { model_ = &model; }
 
   /// Called for every access from now on.
   void listen(std::function<void(const memory::MemoryRecord&)> listener) {
@@ -71,7 +75,10 @@ class MemoryPort final : public sc_core::sc_module {
     bool under_way = false;
   };
   Request& idle_request();
+  Cycle transport(UnitTime& time, const AccessTag& tag, std::uint64_t address, unsigned bytes,
+                  bool write, std::uint64_t at);
 
+  memory::MemoryModel* model_ = nullptr;
   std::array<Traffic, memory::kSurfaces> traffic_;
   std::deque<Request> requests_;
   std::function<void(const memory::MemoryRecord&)> listener_;
