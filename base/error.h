@@ -16,6 +16,12 @@ class InputError : public std::runtime_error {
   InputError(std::string_view place, std::string_view problem, std::string_view expected = {});
 };
 
+/// What is simulated cannot go on, though the program is sound: say, a memory never answers.
+class SimulationError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// A broken invariant of the program itself: never the user's fault.
 class CheckError : public std::logic_error {
  public:

@@ -122,6 +122,8 @@ int run_reporting(int argc, char** argv) {
     return report(kBadInput, error.what());
   } catch (const std::bad_alloc&) {
     return report(kBadInput, "memory: not enough for this; expected a smaller frame");
+  } catch (const SimulationError& error) {
+    return report(kCheckFailed, error.what());
   } catch (const std::exception& error) {
     return report(kCheckFailed, fmt::format("internal error: {}", error.what()));
   }

@@ -88,14 +88,13 @@ struct BlockOptions {
   /// Makes a TLM-2.0 target of the user's own, instead of config.memory, and binds the port's
   /// socket to it; called while SystemC elaborates. docs/block.md has an example.
   std::function<std::unique_ptr<sc_core::sc_module>(units::MemoryPort& port)> target;
-  /// How long nothing may move before the block is given up; at least 1.
+  /// How long a target may keep an access before the block is given up; at least 1.
   memory::Cycle watchdog_cycles = memory::Cycle{1} << 22;
 };
 
 /// Runs a recorded frame through the units of a configuration.
 /// \param config  with the rasterizer and formats that the frame was recorded with
-/// \throws std::runtime_error if units or memory block each other: names the queues, who holds
-/// them,
+/// \throws SimulationError if units or memory block each other: names the queues, who holds them,
 ///         accesses without an answer, and the cycle
 BlockResult run_block(const RecordedFrame& frame, const BlockConfig& config,
                       const BlockOptions& options = {});

@@ -1,9 +1,9 @@
 #include "model/units/memory_port.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "base/check.h"
+#include "base/error.h"
 
 namespace wedgesim::model::units {
 
@@ -60,7 +60,7 @@ Cycle MemoryPort::transport(UnitTime& time, const AccessTag& tag, std::uint64_t 
   socket->b_transport(payload, delay);
   request.under_way = false;
   if (!payload.is_response_ok()) {
-    throw std::runtime_error("memory answers " + payload.get_response_string());
+    throw SimulationError("memory answers " + payload.get_response_string());
   }
   const std::uint64_t after = sc_core::sc_time_stamp().value();
   const Cycle done = time.now() + whole_cycles(after + delay.value() - at);

@@ -35,7 +35,7 @@ class MemoryPort final : public sc_core::sc_module {
   tlm_utils::simple_initiator_socket<MemoryPort> socket;
 
   /// \return  the cycle from which the bytes are there, or taken
-  /// \throws std::runtime_error if the target answers with an error
+  /// \throws SimulationError if the target answers with an error
   Cycle access(UnitTime& time, const AccessTag& tag, std::uint64_t address, unsigned bytes,
                bool write);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tlm_utils/simple_target_socket.h>
 
+#include "base/error.h"
 #include "tests/model/block/frames.h"
 #include "tests/model/units/work.h"
 
@@ -50,6 +51,23 @@ class Waiting final : public sc_core::sc_module {
 
   bool answers_;
   sc_core::sc_event never_;
+};
+
+/// Annotates that its first read of z takes 8 million cycles.
+class Slow final : public sc_core::sc_module {
+ public:
+  explicit Slow(sc_core::sc_module_name name) : sc_module(name), socket("socket") {
+    socket.register_b_transport(this, &Slow::transport);
+  }
+
+  tlm_utils::simple_target_socket<Slow> socket;
+  static constexpr memory::Cycle kCycles = 8'000'000;
+
+ private:
+  void transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {
+    if (payload.get_address() == 4096) delay += units::cycles_to_time(kCycles);
+    payload.set_response_status(tlm::TLM_OK_RESPONSE);
+  }
 };
 
 template <typename Target, typename... Arguments>
@@ -106,11 +124,13 @@ TEST_P(Target, OneThatNeverAnswersIsNamedWithTheQueuesThatWait) {
   BlockOptions options = with_target<Waiting>(GetParam(), false);
   options.watchdog_cycles = 5000;
   std::string message;
+  testing::internal::CaptureStdout();
   try {
     run_block(frame(), {}, options);
-  } catch (const std::runtime_error& error) {
+  } catch (const SimulationError& error) {
     message = error.what();
   }
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   for (const char* part :
        {"the block is blocked at cycle ", "memory has not answered z at 0x1000 since cycle ",
         "queue tile_cull to z_read holds 8 of 8, held by z_read", "tile_cull waits",
@@ -119,6 +139,17 @@ TEST_P(Target, OneThatNeverAnswersIsNamedWithTheQueuesThatWait) {
   }
   // And the next run is none the worse.
   EXPECT_EQ(run_block(frame(), {}).cycles, run_block(frame(), {}).cycles);
+}
+
+// Whoever waits for a cycle that is known is not blocked, and the kernel has nothing to say.
+TEST_P(Target, OneThatTakesItsTimeIsWaitedFor) {
+  testing::internal::CaptureStdout();
+  BlockOptions options = with_target<Slow>(GetParam());
+  options.watchdog_cycles = Slow::kCycles / 8;
+  const BlockResult result = run_block(frame(), {}, options);
+  EXPECT_GT(result.cycles, Slow::kCycles);
+  EXPECT_LT(result.cycles, Slow::kCycles + 1000);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(, Target,
