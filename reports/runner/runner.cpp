@@ -250,7 +250,9 @@ class Run {
   // Gives the next job to a worker without one, or to a new one.
   bool start_one() {
     Hand hand;
-    return start(hand) && (hands_.push_back(std::move(hand)), true);
+    if (!start(hand)) return false;
+    hands_.push_back(std::move(hand));
+    return true;
   }
 
   bool start(Hand& hand) {
@@ -297,7 +299,8 @@ class Run {
         const std::string end = hand.worker->end();
         if (hand.job) lose(hand, PointState::crashed, "the worker ended by " + end);
       }
-      if (hand.job || (at_work_[*hand.last] = false, start(hand))) still.push_back(std::move(hand));
+      if (!hand.job) at_work_[*hand.last] = false;
+      if (hand.job || start(hand)) still.push_back(std::move(hand));
     }
     hands_ = std::move(still);
   }

@@ -136,6 +136,23 @@ Outcome interrupt_command(const std::filesystem::path& folder, int signal,
   return outcome;
 }
 
+Outcome kill_command(unsigned milliseconds, int signal, const std::vector<std::string>& arguments) {
+  const Capture err;
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
+    dup2(err.file(), STDERR_FILENO);
+    become(arguments);
+  }
+  usleep(1000 * milliseconds);
+  kill(child, signal);
+  Outcome outcome;
+  outcome.command = joined(arguments);
+  outcome.code = exit_code(child);
+  outcome.err = err.text();
+  return outcome;
+}
+
 void expect_bad_input(const Outcome& outcome, const std::vector<std::string>& words) {
   SCOPED_TRACE(outcome.command);
   EXPECT_EQ(outcome.code, 2) << outcome.out << outcome.err;

@@ -31,6 +31,9 @@ Outcome run_into(const std::filesystem::path& out, const std::vector<std::string
 Outcome interrupt_command(const std::filesystem::path& folder, int signal,
                           const std::vector<std::string>& arguments);
 
+/// Runs it and sends it `signal` after some time, if it has not ended by itself; waits for it.
+Outcome kill_command(unsigned milliseconds, int signal, const std::vector<std::string>& arguments);
+
 /// Exit code 2, nothing on standard output, exactly one line on standard error that holds all of
 /// `words`.
 void expect_bad_input(const Outcome& outcome, const std::vector<std::string>& words);
