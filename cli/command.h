@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <vector>
 
 namespace wedgesim::cli {
 
@@ -11,6 +12,7 @@ struct Command {
   /// \return the exit code: 0 if every check held, 1 if one failed
   /// \throws InputError for bad input
   std::function<int()> run;
+  std::vector<Command> commands{};  // of its own; one of them runs in its place if it is named
 };
 
 Command add_scenes(CLI::App& program);
@@ -22,5 +24,8 @@ Command add_count(CLI::App& program);
 Command add_cycles(CLI::App& program);
 Command add_explain(CLI::App& program);
 Command add_study(CLI::App& program);
+/// Under `study` as well as by themselves.
+Command add_merge(CLI::App& parent);
+Command add_compare(CLI::App& parent);
 
 }  // namespace wedgesim::cli

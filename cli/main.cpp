@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,15 +17,20 @@ namespace {
 constexpr int kCheckFailed = 1;
 constexpr int kBadInput = 2;
 
+void allow_extras(const Command& command) {
+  command.app->allow_extras();
+  for (const Command& inner : command.commands) allow_extras(inner);
+}
+
 std::vector<Command> add_commands(CLI::App& program) {
   std::vector<Command> commands;
   for (const auto add : {add_scenes, add_render, add_trace, add_import, add_dump, add_count,
-                         add_cycles, add_explain, add_study}) {
+                         add_cycles, add_explain, add_study, add_merge, add_compare}) {
     commands.push_back(add(program));
   }
   // What CLI11 does not know is left over, so that one place can say what would be known.
   program.allow_extras();
-  for (const Command& command : commands) command.app->allow_extras();
+  for (const Command& command : commands) allow_extras(command);
   return commands;
 }
 
@@ -66,25 +72,34 @@ void reject_empty(const CLI::App& app) {
   }
 }
 
-int run(CLI::App& program, int argc, char** argv) {
-  const std::vector<Command> commands = add_commands(program);
-  program.parse(argc, argv);
-  reject_unknown(program);
+// Runs the command that was named, or one of its own; nothing if none of them was.
+std::optional<int> run_named(const std::vector<Command>& commands) {
   for (const Command& command : commands) {
     if (!command.app->parsed()) continue;
     reject_unknown(*command.app);
     reject_empty(*command.app);
-    const int code = command.run();
+    const std::optional<int> code = run_named(command.commands);
+    return code ? code : command.run();
+  }
+  return {};
+}
+
+int run(CLI::App& program, int argc, char** argv) {
+  const std::vector<Command> commands = add_commands(program);
+  program.parse(argc, argv);
+  reject_unknown(program);
+  if (const std::optional<int> code = run_named(commands)) {
     finish_printing();
-    return code;
+    return *code;
   }
   throw InputError("wedgesim", "no command given", "one of " + names_of(program));
 }
 
 // One line in the form of an InputError for what CLI11 refuses.
 std::string message_of(const CLI::ParseError& error, const CLI::App& program) {
-  const auto commands = program.get_subcommands();
-  const std::string command = name_of(commands.empty() ? program : *commands.front());
+  const CLI::App* named = &program;
+  while (!named->get_subcommands().empty()) named = named->get_subcommands().front();
+  const std::string command = name_of(*named);
   std::string problem = error.what();
   std::string_view expected = "what --help lists";
   if (error.get_name() == "RequiredError") {

@@ -137,8 +137,11 @@ Command add_study(CLI::App& program) {
       ->type_name("FILE.md");
   app->add_flag("--retry", arguments->retry, "Measure points again that failed before");
   app->add_flag("--metrics", arguments->list_metrics, "List all metrics, and do no more");
-  app->footer("Example:\n  wedgesim study paper2 -o out/paper2");
-  return {app, [arguments] { return run(*arguments); }};
+  app->footer(
+      "Example:\n  wedgesim study paper2 -o out/paper2\n"
+      "  wedgesim study merge out/paper2/shard-* -o out/paper2");
+  std::vector<Command> commands{add_merge(*app), add_compare(*app)};
+  return {app, [arguments] { return run(*arguments); }, std::move(commands)};
 }
 
 }  // namespace wedgesim::cli

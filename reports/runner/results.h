@@ -48,6 +48,7 @@ struct Plot {
   std::string title;
   std::string x, y;    // a metric, or a key of configuration or frame
   std::string series;  // what tells lines apart; may be empty
+  bool operator==(const Plot&) const = default;
 };
 
 /// What a study file says; study_file.h reads it.
@@ -62,6 +63,7 @@ struct StudyHead {
   bool modes_tables = false;  // Paper II's tables of both modes, scene by scene, in the summary
   bool claims = false;        // the papers' claims are held against it
   bool check_pixels = true;   // a pixel beyond its tolerance is a failure; else a result
+  bool operator==(const StudyHead&) const = default;
 };
 
 /// A study's results, frames and points in the study's order.

@@ -168,8 +168,7 @@ std::map<std::string, FrameRow> Store::known_frames() {
   return frames;
 }
 
-void Store::keep(const FrameRow& frame, std::int64_t position) {
-  Transaction transaction(database_);
+void Store::write(const FrameRow& frame, Position position) {
   Statement(database_, "INSERT OR REPLACE INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(frame.label)
       .bind(position)
@@ -183,6 +182,11 @@ void Store::keep(const FrameRow& frame, std::int64_t position) {
       .bind(frame.seconds)
       .bind(sources_)
       .run();
+}
+
+void Store::keep(const FrameRow& frame, Position position) {
+  Transaction transaction(database_);
+  write(frame, position);
   transaction.commit();
 }
 
@@ -201,8 +205,7 @@ void Store::place(const std::string& frame, const std::map<std::string, Position
   transaction.commit();
 }
 
-void Store::keep(const PointRow& point, Position position) {
-  Transaction transaction(database_);
+void Store::write(const PointRow& point, Position position) {
   Statement(database_, "INSERT OR REPLACE INTO points VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(point.frame)
       .bind(point.key)
@@ -215,6 +218,19 @@ void Store::keep(const PointRow& point, Position position) {
       .bind(point.seconds)
       .bind(sources_)
       .run();
+}
+
+void Store::keep(const PointRow& point, Position position) {
+  Transaction transaction(database_);
+  write(point, position);
+  transaction.commit();
+}
+
+void Store::keep_all(const std::map<Position, FrameRow>& frames,
+                     const std::map<Position, PointRow>& points) {
+  Transaction transaction(database_);
+  for (const auto& [position, frame] : frames) write(frame, position);
+  for (const auto& [position, point] : points) write(point, position);
   transaction.commit();
 }
 
@@ -225,7 +241,7 @@ std::map<std::pair<std::string, std::string>, std::vector<double>> Store::second
   return seconds;
 }
 
-Results read_results(const std::filesystem::path& folder) {
+Stored read_stored(const std::filesystem::path& folder) {
   std::error_code error;
   if (!std::filesystem::exists(results_path(folder), error)) {
     throw InputError(folder.string(), "holds no results.sqlite", "the folder of a study");
@@ -234,27 +250,33 @@ Results read_results(const std::filesystem::path& folder) {
   if (study_value(database, "schema") != kSchema) {
     database.fail(fmt::format("does not hold {}", kSchema));
   }
-  Results results;
+  Stored stored;
   try {
-    results.study = head_of(Json::parse(study_value(database, "study")));
-    results.points_planned = std::stoll(study_value(database, "points"));
-    Statement frames(database, fmt::format("SELECT {} FROM frames WHERE position IS NOT NULL "
-                                           "ORDER BY position",
+    stored.study = head_of(Json::parse(study_value(database, "study")));
+    stored.sources = study_value(database, "sources");
+    stored.points_planned = std::stoll(study_value(database, "points"));
+    Statement frames(database, fmt::format("SELECT {}, position FROM frames WHERE position IS NOT "
+                                           "NULL",
                                            kFrameColumns));
-    while (frames.step()) results.frames.push_back(frame_of(frames));
+    while (frames.step()) stored.frames.emplace(frames.integer(9), frame_of(frames));
     Statement points(database,
-                     "SELECT frame, key, measure, configuration, state, message, metrics, seconds "
-                     "FROM points WHERE position IS NOT NULL ORDER BY position");
-    while (points.step()) results.points.push_back(point_of(points));
+                     "SELECT frame, key, measure, configuration, state, message, metrics, seconds, "
+                     "position FROM points WHERE position IS NOT NULL");
+    while (points.step()) stored.points.emplace(points.integer(8), point_of(points));
   } catch (const Json::exception& wrong) {
     database.fail(wrong.what());
   }
-  return results;
+  return stored;
 }
 
-std::string read_sources(const std::filesystem::path& folder) {
-  Database database(results_path(folder), Database::Access::read);
-  return study_value(database, "sources");
+Results read_results(const std::filesystem::path& folder) {
+  Stored stored = read_stored(folder);
+  Results results;
+  results.study = std::move(stored.study);
+  results.points_planned = stored.points_planned;
+  for (auto& [position, frame] : stored.frames) results.frames.push_back(std::move(frame));
+  for (auto& [position, point] : stored.points) results.points.push_back(std::move(point));
+  return results;
 }
 
 }  // namespace wedgesim::reports

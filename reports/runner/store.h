@@ -37,7 +37,7 @@ class Store {
   /// Frames that were rendered, or failed, by key.
   std::map<std::string, FrameRow> known_frames();
   /// Puts a frame at its place.
-  void keep(const FrameRow& frame, std::int64_t position);
+  void keep(const FrameRow& frame, Position position);
 
   /// States of the points of a frame, by key.
   std::map<std::string, PointState> point_states(const std::string& frame);
@@ -46,20 +46,35 @@ class Store {
   /// Adds a point, or replaces it.
   void keep(const PointRow& point, Position position);
 
+  /// Adds all rows at their places, or replaces them.
+  void keep_all(const std::map<Position, FrameRow>& frames,
+                const std::map<Position, PointRow>& points);
+
   /// Seconds that points took before, by measure and frame.
   std::map<std::pair<std::string, std::string>, std::vector<double>> seconds();
 
  private:
+  void write(const FrameRow& frame, Position position);
+  void write(const PointRow& point, Position position);
+
   Database database_;
   std::string sources_;
 };
 
-/// All that a folder holds of its study.
-/// \throws InputError if there are no results
-Results read_results(const std::filesystem::path& folder);
+/// What a folder holds of its study, rows by their places.
+struct Stored {
+  StudyHead study;
+  std::string sources;  // the hash of those that made the rows
+  std::int64_t points_planned = 0;
+  std::map<Position, FrameRow> frames;
+  std::map<Position, PointRow> points;
+};
 
-/// The hash of the sources that made them.
-std::string read_sources(const std::filesystem::path& folder);
+/// \throws InputError if there are no results
+Stored read_stored(const std::filesystem::path& folder);
+
+/// The same as lists in the study's order.
+Results read_results(const std::filesystem::path& folder);
 
 std::string_view spelling(PointState state);
 

@@ -91,7 +91,8 @@ Table configurations_table(const Results& results) {
 std::string axes_text(const PointRow& point, const StudyHead& study) {
   std::string text = point.frame + ", " + point.measure;
   for (const std::string& axis : study.axes) {
-    text += fmt::format(", {} {}", axis, to_text(find_value(point.configuration, axis)));
+    const std::string value = to_text(find_value(point.configuration, axis));
+    if (!value.empty()) text += fmt::format(", {} {}", axis, value);
   }
   return text;
 }

@@ -131,7 +131,7 @@ TEST_F(RunnerTest, OtherSourcesMeasureAnew) {
   const RunCounts counts = run();
   EXPECT_EQ(counts.measured, 16U);
   EXPECT_EQ(counts.rendered, 2U);
-  EXPECT_EQ(read_sources(options.folder), "other");
+  EXPECT_EQ(read_stored(options.folder).sources, "other");
 }
 
 TEST_F(RunnerTest, ATraceThatIsGoneIsRenderedAgain) {
