@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <regex>
 #include <thread>
 
 #include "base/error.h"
@@ -141,6 +142,17 @@ void require_outputs(const Study& study, const std::filesystem::path& folder) {
   for (const std::filesystem::path& output : outputs) require_not_read(output, inputs);
 }
 
+// What a run that was killed left half written: ".STEM.PROCESS.EXTENSION" (base/file.h). Nobody
+// else writes here now.
+void remove_temporaries(const std::filesystem::path& folder) {
+  static const std::regex name(R"(\..+\.[0-9]+\.(wtrace|png|exr|csv|json|txt|md))");
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (!std::regex_match(entry.path().filename().string(), name)) continue;
+    std::filesystem::remove(entry.path(), error);
+  }
+}
+
 /// The parent: gives jobs to workers and keeps their answers.
 class Run {
  public:
@@ -176,6 +188,7 @@ class Run {
   };
 
   void prepare() {
+    remove_temporaries(options_.folder);
     store_.begin(study_.head, static_cast<std::int64_t>(study_.points()));
     const std::map<std::string, FrameRow> known = store_.known_frames();
     for (auto& [frame, configurations] : points_by_frame(study_, options_.shard)) {

@@ -134,6 +134,15 @@ TEST_F(RunnerTest, OtherSourcesMeasureAnew) {
   EXPECT_EQ(read_stored(options.folder).sources, "other");
 }
 
+TEST_F(RunnerTest, WhatAKilledRunLeftHalfWrittenIsRemoved) {
+  run();
+  std::ofstream(options.folder / ".cylinder-f0.1596.wtrace") << "half";
+  std::ofstream(options.folder / ".notes.txt") << "the user's own";
+  run();
+  EXPECT_FALSE(std::filesystem::exists(options.folder / ".cylinder-f0.1596.wtrace"));
+  EXPECT_TRUE(std::filesystem::exists(options.folder / ".notes.txt"));
+}
+
 TEST_F(RunnerTest, ATraceThatIsGoneIsRenderedAgain) {
   run();
   std::filesystem::remove(options.folder / "cylinder-f9.wtrace");
