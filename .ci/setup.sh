@@ -17,6 +17,8 @@ install_packages() {
   else
     wanted=$(sed '/# test$/d; s/#.*//; s/ *$//; /^$/d' packages.txt | sort)
   fi
+  # An npm from elsewhere brings its own node, and may conflict with Debian's.
+  if command -v npm > /dev/null; then wanted=$(grep -vx -e nodejs -e npm <<< "$wanted"); fi
   # dpkg-query fails when it knows nothing of a name: that name is missing, no more.
   # shellcheck disable=SC2016,SC2086
   installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' $wanted 2> /dev/null |

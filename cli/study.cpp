@@ -9,6 +9,7 @@
 #include "cli/print.h"
 #include "cli/progress.h"
 #include "reports/claims/claims.h"
+#include "reports/page/study_page.h"
 #include "reports/runner/metrics.h"
 #include "reports/runner/runner.h"
 #include "reports/runner/store.h"
@@ -100,12 +101,15 @@ int run(const Arguments& arguments) {
   }
   const reports::Results results = reports::read_results(options.folder);
   reports::write_results(options.folder, results);
+  const std::filesystem::path page = reports::page::page_path(options.folder);
+  reports::page::write_study_page(options.folder, results, page);
   std::string text = reports::summary(results).text() + '\n';
   text += claims_text(arguments, options.folder, results);
   if (const std::string kept = counts_text(counts); !kept.empty()) text += kept + '\n';
-  text +=
-      fmt::format("These tables, results.csv, results.json, results.sqlite and traces are in {}/\n",
-                  options.folder.string());
+  text += fmt::format(
+      "These tables, results.csv, results.json, results.sqlite and traces are in {}/\n"
+      "The page: {}\n",
+      options.folder.string(), page.string());
   print(text);
   return reports::held(results) ? 0 : 1;
 }

@@ -48,7 +48,8 @@ const std::vector<OfCount>& count_metrics() {
       {"rms_error", "full light", "RMS error of LI over pixels of sensitivity up to 1/255", [](const auto& r) -> Value { return r.pixels.rms_error; }},
       {"rms_penumbra", "full light", "The same over those of them inside a wedge", [](const auto& r) -> Value { return r.pixels.rms_penumbra; }},
       {"tolerance", "full light", "What a pixel may be off besides its sensitivity", [](const auto& r) -> Value { return r.pixels.tolerance; }},
-      {"wrong_contributions", "contributions", "Contributions that a wrong tile test lost or gained", [](const auto& r) { return integer(r.wrong_contributions); }}};
+      {"wrong_contributions", "contributions", "Contributions that a wrong tile test lost or gained", [](const auto& r) { return integer(r.wrong_contributions); }},
+      {"needless_visits", "visits", "What a perfect culling would skip", [](const auto& r) { return integer(r.needless_visits); }}};
   return metrics;
 }
 

@@ -1,0 +1,116 @@
+#include "reports/page/chart.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "reports/page/names.h"
+#include "reports/runner/value.h"
+
+namespace wedgesim::reports::page {
+namespace {
+
+bool draws(const Chart& chart, const Column* column) {
+  if (column == chart.x || column == chart.series) return true;
+  return std::ranges::any_of(chart.measures,
+                             [column](const Measure& m) { return m.column == column; });
+}
+
+std::string series_at(const Chart& chart, const Measure& measure, std::size_t point) {
+  if (chart.series != nullptr) return value_text(chart.series->values[point]);
+  return chart.measures.size() > 1 ? measure.name : "";
+}
+
+bool has_value(const Value& value) { return !std::holds_alternative<std::monostate>(value); }
+
+// Takes every point of every measure that has both x and y.
+template <typename Take>
+void for_each_row(const Columns& columns, const Chart& chart, Take take) {
+  for (std::size_t i = 0; i < columns.points(); ++i) {
+    if (!columns.done(i)) continue;
+    const double per = chart.per == nullptr ? 1.0 : chart.per->number(i).value_or(0.0);
+    for (const Measure& measure : chart.measures) {
+      const auto y = measure.column->number(i);
+      Value x = chart.x == nullptr ? Value(measure.at) : chart.x->values[i];
+      if (!y || per == 0.0 || !has_value(x)) continue;
+      take(i, Row{std::move(x), series_at(chart, measure, i), *y / per});
+    }
+  }
+}
+
+bool is_held(const Held& held, std::size_t point) {
+  return std::ranges::all_of(
+      held, [point](const auto& hold) { return hold.first->values[point] == hold.second; });
+}
+
+}  // namespace
+
+std::vector<Row> rows_of(const Columns& columns, const Chart& chart) {
+  std::vector<Row> rows;
+  for_each_row(columns, chart, [&](std::size_t point, Row row) {
+    if (is_held(chart.held, point)) rows.push_back(std::move(row));
+  });
+  return rows;
+}
+
+std::vector<std::string> series_of(const Chart& chart) {
+  std::vector<std::string> names;
+  if (chart.series != nullptr) {
+    for (const Value& value : chart.series->distinct) names.push_back(value_text(value));
+  } else if (chart.measures.size() > 1) {
+    for (const Measure& measure : chart.measures) {
+      if (std::ranges::find(names, measure.name) == names.end()) names.push_back(measure.name);
+    }
+  }
+  if (names.empty()) names.emplace_back();
+  return names;
+}
+
+Held choose_held(const Columns& columns, const Chart& chart) {
+  std::vector<const Column*> free;
+  // Over one parameter of frames, others of them differ too.
+  const bool over_frames = chart.x != nullptr && chart.x->kind == Column::Kind::frame;
+  for (const Column* axis : columns.axes()) {
+    if (over_frames && axis->kind == Column::Kind::frame) continue;
+    if (!draws(chart, axis)) free.push_back(axis);
+  }
+  std::map<std::vector<Value>, std::set<std::pair<Value, std::string>>> seen;
+  for_each_row(columns, chart, [&](std::size_t point, const Row& row) {
+    std::vector<Value> values;
+    for (const Column* axis : free) values.push_back(axis->values[point]);
+    seen[values].emplace(row.x, row.series);
+  });
+  const std::vector<Value>* best = nullptr;
+  std::pair<std::size_t, std::size_t> most;
+  for (const auto& [values, cells] : seen) {
+    std::size_t usual = 0;
+    for (std::size_t k = 0; k < free.size(); ++k) {
+      usual += values[k] == usual_value(free[k]->key) ? 1 : 0;
+    }
+    const std::pair score(cells.size(), usual);
+    if (best != nullptr && score <= most) continue;
+    best = &values;
+    most = score;
+  }
+  Held held;
+  for (std::size_t k = 0; best != nullptr && k < free.size(); ++k) {
+    held.emplace_back(free[k], (*best)[k]);
+  }
+  return held;
+}
+
+std::vector<Line> lines_of(const Columns& columns, const Chart& chart) {
+  std::map<std::string, std::map<Value, std::vector<double>>> found;
+  for (const Row& row : rows_of(columns, chart)) found[row.series][row.x].push_back(row.y);
+  std::vector<Line> lines;
+  for (const std::string& name : series_of(chart)) {
+    Line line{name, {}};
+    for (const Value& x : chart.x->distinct) {
+      if (const auto spread = spread_of(found[name][x])) line.at.emplace_back(x, *spread);
+    }
+    if (!line.at.empty()) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace wedgesim::reports::page

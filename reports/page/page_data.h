@@ -1,0 +1,13 @@
+#pragma once
+
+#include "reports/json.h"
+#include "reports/page/chart.h"
+#include "reports/page/page.h"
+
+namespace wedgesim::reports::page {
+
+/// What the page's script works with: columns (a value that all points share is stored once, words
+/// by their place in a list), axes, charts and heat maps.
+Json page_data(const Page& page, const Columns& columns, const std::vector<Chart>& charts);
+
+}  // namespace wedgesim::reports::page

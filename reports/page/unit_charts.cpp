@@ -1,0 +1,174 @@
+#include "reports/page/unit_charts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "reports/page/caption.h"
+#include "reports/page/chart_spec.h"
+#include "reports/page/names.h"
+
+namespace wedgesim::reports::page {
+namespace {
+
+constexpr std::array<const char*, 7> kPipeline{"fetch",  "wedge_setup", "tile_walk", "tile_cull",
+                                               "z_read", "penumbra",    "li_update"};
+constexpr std::array<const char*, 3> kStates{"busy", "stalled", "starved"};
+constexpr std::size_t kRowHeight = 28;  // pixels
+constexpr const char* kSuffix = ".busy_cycles";
+
+// Along the pipeline; units that it does not name last.
+std::vector<std::string> units_of(const Columns& columns) {
+  std::vector<std::string> units;
+  for (const Column& column : columns.all()) {
+    if (column.key.ends_with(kSuffix) && column.is_number()) {
+      units.push_back(column.key.substr(0, column.key.size() - std::string(kSuffix).size()));
+    }
+  }
+  std::ranges::stable_sort(units, {}, [](const std::string& unit) {
+    return std::ranges::find(kPipeline, unit) - kPipeline.begin();
+  });
+  return units;
+}
+
+using Means = std::map<std::string, std::map<std::string, double>>;  // by series, then x
+
+Means means_of(const Columns& columns, const Chart& chart) {
+  std::map<std::string, std::map<std::string, std::vector<double>>> values;
+  for (const Row& row : rows_of(columns, chart)) {
+    values[row.series][value_text(row.x)].push_back(row.y);
+  }
+  Means means;
+  for (const auto& [series, by_x] : values) {
+    for (const auto& [x, of] : by_x) {
+      double sum = 0.0;
+      for (const double value : of) sum += value;
+      means[series][x] = sum / static_cast<double>(of.size());
+    }
+  }
+  return means;
+}
+
+std::pair<std::string, double> most_of(const std::map<std::string, double>& by_x) {
+  const auto most =
+      std::ranges::max_element(by_x, {}, [](const auto& entry) { return entry.second; });
+  return *most;
+}
+
+Chart states_chart(const Columns& columns, const std::vector<std::string>& units) {
+  Chart chart;
+  chart.id = "unit-states";
+  chart.title = "What the units do with their cycles";
+  chart.about = "Starved: waiting for input. Stalled: waiting for output or memory.";
+  for (const std::string& unit : units) {
+    for (const char* state : kStates) {
+      const Column* column = columns.number(fmt::format("{}.{}_cycles", unit, state));
+      if (column != nullptr) chart.measures.push_back({column, state, unit});
+    }
+  }
+  chart.per = columns.number("cycles");
+  chart.held = choose_held(columns, chart);
+  Means means = means_of(columns, chart);
+  const auto [busiest, share] = most_of(means["busy"]);
+  chart.caption = fmt::format("{} is busiest: {} of the cycles.", busiest, percent_text(share));
+  if (!means["stalled"].empty()) {
+    const auto [stalled, part] = most_of(means["stalled"]);
+    chart.caption += fmt::format(" {} is stalled most: {}.", stalled, percent_text(part));
+  }
+  chart.spec = new_spec(chart.title + ". " + chart.caption);
+  const std::vector<std::string> states(kStates.begin(), kStates.end());
+  Json& spec = chart.spec;
+  spec["transform"] = Json::parse(R"json([
+    {"aggregate": [{"op": "mean", "field": "y", "as": "share"}], "groupby": ["x", "s"]},
+    {"calculate": "indexof(['busy', 'stalled', 'starved'], datum.s)", "as": "order"
+}])json");
+  spec["usermeta"]["symbols"] = "squares";
+  spec["mark"] = {{"type", "bar"}, {"cursor", "pointer"}};
+  spec["encoding"] = Json::parse(R"json({
+    "y": {"field": "x", "type": "nominal", "title": null},
+    "x": {"field": "share", "type": "quantitative", "title": "part of all cycles",
+          "scale": {"domain": [0, 1]}, "axis": {"format": "%", "grid": true, "values": [0, 0.25, 0.5, 0.75, 1]}},
+    "order": {"field": "order", "type": "quantitative"},
+    "tooltip": [{"field": "x", "title": "unit"}, {"field": "s", "title": "state"},
+                {"field": "share", "type": "quantitative", "format": ".1%",
+                 "title": "part of all cycles"}]})json");
+  spec["encoding"]["y"]["scale"] = {{"domain", units}};
+  spec["encoding"]["color"] = colour_channel(states);
+  spec["encoding"]["opacity"] = opacity_channel(1.0);
+  return chart;
+}
+
+// How busy each unit is (rows: values of an axis).
+std::optional<Chart> busy_chart(const Columns& columns, const std::vector<std::string>& units,
+                                const Column* axis) {
+  Chart chart;
+  chart.id = "bottleneck-" + axis->key;
+  chart.title = "Bottleneck, by " + axis->label;
+  chart.about = "How much of the time a unit is busy; the darkest of a row holds the others up.";
+  chart.series = axis;
+  for (const std::string& unit : units) {
+    chart.measures.push_back({columns.number(unit + kSuffix), unit, unit});
+  }
+  chart.per = columns.number("cycles");
+  chart.held = choose_held(columns, chart);
+  Means means = means_of(columns, chart);
+  if (means.size() < 2) return std::nullopt;
+  std::vector<std::string> parts;
+  for (const Value& value : axis->distinct) {
+    const auto& of_value = means[value_text(value)];
+    if (of_value.empty()) continue;
+    const auto [unit, share] = most_of(of_value);
+    parts.push_back(
+        fmt::format("{} with {} ({})", unit, setting_text(*axis, value), percent_text(share)));
+  }
+  chart.caption = "Busiest: " + listed(parts) + ".";
+  chart.spec = new_spec(chart.title + ". " + chart.caption);
+  const std::vector<std::string> rows = series_of(chart);
+  Json& spec = chart.spec;
+  spec["usermeta"]["symbols"] = "none";
+  spec["height"] = kRowHeight * rows.size();
+  spec["transform"] = Json::parse(R"json([
+    {"aggregate": [{"op": "mean", "field": "y", "as": "share"}], "groupby": ["x", "s"]}])json");
+  spec["encoding"] = Json::parse(R"json({
+    "x": {"field": "x", "type": "nominal", "title": null,
+          "axis": {"labelAngle": -30, "orient": "top"}},
+    "y": {"field": "s", "type": "nominal"}})json");
+  spec["encoding"]["x"]["scale"] = {{"domain", units}};
+  spec["encoding"]["y"]["scale"] = {{"domain", rows}};
+  spec["encoding"]["y"]["title"] = axis_title(axis->label, axis->unit);
+  spec["layer"] = Json::parse(R"json([
+    {"mark": {"type": "rect", "fill": "var(--series-0)", "cursor": "pointer"
+}
+, "encoding" : {
+  "fillOpacity" : {
+    "field" : "share", "type" : "quantitative", "legend" : null, "scale" : {
+      "domain" : [ 0, 1 ], "range" : [ 0.06, 1.0 ]
+    }
+  }
+}
+},
+    {"mark": {"type": "text", "cursor": "pointer"},
+     "encoding": {"text": {"field": "share", "type": "quantitative", "format": ".0%"},
+                  "color": {"value": "var(--ink)"}}}])json");
+  spec["layer"][0]["encoding"]["opacity"] = opacity_channel(1.0);
+  return chart;
+}
+
+}  // namespace
+
+std::vector<Chart> unit_charts(const Columns& columns) {
+  const std::vector<std::string> units = units_of(columns);
+  if (units.empty() || columns.number("cycles") == nullptr) return {};
+  std::vector<Chart> charts{states_chart(columns, units)};
+  constexpr std::size_t kMostCharts = 4;
+  constexpr std::size_t kMostRows = 16;
+  for (const Column* axis : columns.axes()) {
+    if (charts.size() == kMostCharts || axis->distinct.size() > kMostRows) continue;
+    if (auto chart = busy_chart(columns, units, axis)) charts.push_back(*std::move(chart));
+  }
+  return charts;
+}
+
+}  // namespace wedgesim::reports::page
