@@ -94,6 +94,12 @@ Json energy_json(const CyclesReport& report) {
           {"total", report.energy->total()}};
 }
 
+Json path_json(const BlockResult& result) {
+  Json json = Json::object();
+  for (const model::PathShare& part : result.critical_path) json[part.name] = part.cycles;
+  return json;
+}
+
 Json rates_json(const CyclesReport& report) {
   const Rates rates = rates_of(report);
   return {{"clock_mhz", report.config.clock_mhz},
@@ -124,6 +130,7 @@ Json cycles_json(const CyclesReport& report) {
           {"tile", report.config.rasterizer.tile},
           {"z", report.z_fail ? "fail" : "pass"},
           {"bottleneck", report.result.bottleneck().name},
+          {"critical_path_cycles", path_json(report.result)},
           {"rates", rates_json(report)},
           {"counters", counters},
           {"units", units_json(report.result)},

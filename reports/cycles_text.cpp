@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/cycles.h"
 #include "reports/port_profile.h"
 #include "reports/table.h"
@@ -24,13 +26,35 @@ Table table(std::string name, std::initializer_list<const char*> numbers) {
   return table;
 }
 
+// "memory:z_read" in words.
+std::string spelled(const std::string& part) {
+  const std::size_t colon = part.find(':');
+  if (colon == std::string::npos) return part;
+  return (part.starts_with("queue") ? "the queue behind " : "memory behind ") +
+         part.substr(colon + 1);
+}
+
+// The parts that the frame's end waited for longest.
+std::string path_text(const BlockResult& result) {
+  std::vector<model::PathShare> parts = result.critical_path;
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const auto& a, const auto& b) { return a.cycles > b.cycles; });
+  parts.resize(std::min<std::size_t>(parts.size(), 4));
+  std::string text;
+  for (const model::PathShare& part : parts) {
+    text += fmt::format("{}{} {:.1f} %", text.empty() ? "waited for: " : ", ", spelled(part.name),
+                        percent(part.cycles, result.cycles));
+  }
+  return text + '\n';
+}
+
 std::string head_text(const CyclesReport& report) {
   return fmt::format(
       "{}: {}x{}, {} wedges; {}: {}, tile {}, z-{}\n\n{} cycles, the bottleneck is {}\n",
       report.trace.name, report.trace.width, report.trace.height, report.trace.wedges,
       report.config.name, spelling(report.config.rasterizer.mode), report.config.rasterizer.tile,
       report.z_fail ? "fail" : "pass", grouped(report.result.cycles),
-      report.result.bottleneck().name);
+      spelled(report.result.bottleneck().name));
 }
 
 std::string rates_text(const CyclesReport& report) {
@@ -110,7 +134,7 @@ std::string checks_text(const CyclesReport& report) {
 }  // namespace
 
 std::string cycles_text(const CyclesReport& report) {
-  std::string text = head_text(report) + rates_text(report);
+  std::string text = head_text(report) + path_text(report.result) + rates_text(report);
   for (const std::string& table : {units_text(report.result), caches_text(report.result),
                                    bytes_text(report), memory_text(report)}) {
     text += '\n' + table;

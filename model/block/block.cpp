@@ -100,7 +100,10 @@ class Block {
     }
     if (options.listener) port_.listen(options.listener);
     if (options.states) listen_to_states(options);
-    li_update_.on_drained([this](Cycle cycle) { wedge_fetch_.drained(cycle); });
+    li_update_.on_drained([this](Cycle cycle, const units::CriticalPath& path) {
+      wedge_fetch_.drained(cycle, path);
+    });
+    for (std::size_t i = 0; i < all().size(); ++i) all()[i]->time().place_at(i);
   }
 
   void run() {
@@ -133,6 +136,7 @@ class Block {
                               time.memory(), statistics_of(unit->statistics())});
       CHECK_EQ(time.busy() + time.starved() + time.stalled(), time.now());
     }
+    add_path(result);
     add_cache(result, "tile_cull", tile_cull_.cache());
     add_cache(result, "z_read", z_read_.cache());
     add_cache(result, "li_update", li_update_.li_cache());
@@ -152,9 +156,7 @@ class Block {
 
  private:
   void listen_to_states(const BlockOptions& options) {
-    for (units::BlockUnit* unit :
-         std::array<units::BlockUnit*, 7>{&wedge_fetch_, &wedge_setup_, &tile_walk_, &tile_cull_,
-                                          &z_read_, &penumbra_, &li_update_}) {
+    for (units::BlockUnit* unit : all()) {
       const std::string name = unit->basename();
       unit->time().listen(
           [name, states = options.states](units::UnitState state, Cycle begin, Cycle end) {
@@ -169,6 +171,29 @@ class Block {
   static void add_cache(BlockResult& result, std::string name, const memory::Cache& cache) {
     result.caches.push_back(
         {std::move(name), cache.size_bytes(), cache.hits(), cache.misses(), cache.write_backs()});
+  }
+  // What the last cycle waited for: the path of the unit that ends last, and the writes behind it.
+  void add_path(BlockResult& result) const {
+    const auto all = units();
+    const auto* const last = *std::max_element(
+        all.begin(), all.end(), [](auto* a, auto* b) { return a->time().now() < b->time().now(); });
+    using Part = units::CriticalPath::Part;
+    units::CriticalPath path = last->time().path();
+    path.add(last->time().place(), Part::memory, result.cycles - last->time().now());
+    CHECK_EQ(path.total(), result.cycles);
+    for (std::size_t i = 0; i < kBlockUnits.size(); ++i) {
+      for (const auto& [prefix, part] :
+           {std::pair{"", Part::work}, {"memory:", Part::memory}, {"queue:", Part::queue}}) {
+        const Cycle cycles = path.of(i, part);
+        if (cycles > 0) {
+          result.critical_path.push_back({prefix + std::string(kBlockUnits[i]), cycles});
+        }
+      }
+    }
+  }
+  std::array<units::BlockUnit*, 7> all() {
+    return {&wedge_fetch_, &wedge_setup_, &tile_walk_, &tile_cull_,
+            &z_read_,      &penumbra_,    &li_update_};
   }
   std::vector<const units::BlockUnit*> units() const {
     return {&wedge_fetch_, &wedge_setup_, &tile_walk_, &tile_cull_,
@@ -230,11 +255,11 @@ class Block {
 
 }  // namespace
 
-const UnitResult& BlockResult::bottleneck() const {
-  return *std::max_element(units.begin(), units.end(),
-                           [](const UnitResult& a, const UnitResult& b) {
-                             return a.busy + a.memory < b.busy + b.memory;
-                           });
+const PathShare& BlockResult::bottleneck() const {
+  CHECK_EQ(critical_path.empty(), false);
+  return *std::max_element(
+      critical_path.begin(), critical_path.end(),
+      [](const PathShare& a, const PathShare& b) { return a.cycles < b.cycles; });
 }
 
 std::uint64_t BlockResult::port_bytes() const {

@@ -53,6 +53,13 @@ struct UnitResult {
   std::vector<Statistic> statistics;
 };
 
+/// Cycles that the frame's end waited for a part of the block: a unit's work ("penumbra"), its
+/// memory ("memory:z_read"), or the way through the queue behind it ("queue:penumbra").
+struct PathShare {
+  std::string name;
+  memory::Cycle cycles = 0;
+};
+
 struct CacheResult {
   std::string name;
   std::uint64_t size_bytes = 0;  // 0: there is none, and every access is a miss
@@ -73,8 +80,10 @@ struct BlockResult {
   std::vector<Statistic> memory;       // of the memory's own
   double peak_bytes_per_cycle = 0.0;
 
-  /// The unit that is longest busy or waiting for memory: the others wait for it.
-  const UnitResult& bottleneck() const;
+  /// In the order of the pipeline; adds up to `cycles`.
+  std::vector<PathShare> critical_path;
+  /// The part that the frame's end waited for longest.
+  const PathShare& bottleneck() const;
   std::uint64_t port_bytes() const;
 };
 

@@ -41,7 +41,7 @@ void LiUpdate::process() {
         break;
       case Token::Kind::barrier:
         drain();
-        drained_(time_.now());
+        drained_(time_.now(), time_.path());
         break;
       case Token::Kind::end:
         flush();

@@ -34,8 +34,10 @@ class LiUpdate final : public BlockUnit {
   LiUpdate(sc_core::sc_module_name name, Timing timing, const LiUpdateConfig& config,
            bool three_pass, MemoryPort& port, const memory::Layout& layout, Link<Token>& in);
 
-  /// Called when a barrier has come through, with the first cycle in which the unit is empty.
-  void on_drained(std::function<void(Cycle)> listener) { drained_ = std::move(listener); }
+  using Drained = std::function<void(Cycle cycle, const CriticalPath& path)>;
+  /// Called when a barrier has come through, with the first cycle in which the unit is empty and
+  /// what it waited for until then.
+  void on_drained(Drained listener) { drained_ = std::move(listener); }
 
   const memory::Cache& li_cache() const { return li_.cache; }
   const memory::Cache& stencil_cache() const { return stencil_.cache; }
@@ -80,7 +82,7 @@ class LiUpdate final : public BlockUnit {
   Outstanding outstanding_, outstanding_writes_;
   const Cycle update_cycles_;
   std::vector<Update> updates_;  // under way: few, since a line on its way in is waited for
-  std::function<void(Cycle)> drained_;
+  Drained drained_;
   Counter lines_{statistics_, "lines", Unit::accesses, "Lines of LI and stencil updated"};
   Counter hazards_{statistics_, "hazard_cycles", Unit::cycles,
                    "Cycles held up by an update of the same pixel"};

@@ -31,9 +31,9 @@ class OnDemand {
 /// A queue from one unit to the next, with backpressure.
 ///
 /// An item pushed in cycle t can be taken from t + latency on, or from when it is ready if that is
-/// later; items keep their order. A slot that is freed in cycle t can be filled from t + 1 on. Both
-/// rules look at earlier cycles alone, so the order of the units within a cycle does not matter,
-/// and decoupled and clocked units see the same.
+/// later (its consumer then waits for memory); items keep their order. A slot that is freed in
+/// cycle t can be filled from t + 1 on. Both rules look at earlier cycles alone, so the order of
+/// the units within a cycle does not matter, and decoupled and clocked units see the same.
 template <typename Item>
 class Link {
  public:
@@ -43,6 +43,7 @@ class Link {
         latency_(static_cast<Cycle>(config.latency_cycles)),
         mask_(std::bit_ceil(depth_) - 1),
         pop_times_(mask_ + 1),
+        pop_paths_(mask_ + 1),
         items_(mask_ + 1) {}
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
@@ -54,28 +55,38 @@ class Link {
   /// Called by the producer: waits for a slot, stalled.
   /// \param ready  the first cycle in which the item's data are there
   void push(UnitTime& time, Item item, Cycle ready = 0) {
+    const Cycle before = time.now();
     if (time.timing() == Timing::clocked) {
       while (full() || slot_free() > time.now()) time.stall_until(time.now() + 1);
     } else {
       while (!has_room()) wait_for(popped_event_, producer_waits_);
       time.stall_until(slot_free());
     }
-    last_visible_ = std::max({last_visible_, time.now() + latency_, ready});
-    items_[pushed_ & mask_] = {last_visible_, std::move(item)};
+    if (time.now() > before) time.follow(pop_paths_[(pushed_ - depth_) & mask_], 1);
+    const Cycle arrives = time.now() + latency_;
+    last_visible_ = std::max({last_visible_, arrives, ready});
+    Entry& entry = items_[pushed_ & mask_];
+    entry = {arrives, last_visible_, std::move(item), time.path()};
+    entry.path.add(time.place(), CriticalPath::Part::queue, latency_);
+    entry.path.add(time.place(), CriticalPath::Part::memory, last_visible_ - arrives);
     ++pushed_;
     if (consumer_waits_) pushed_event_.notify();
   }
 
-  /// Called by the consumer: waits for an item, starved.
+  /// Called by the consumer: waits for an item, starved, then for its data, stalled.
   Item pop(UnitTime& time) {
+    const Cycle before = time.now();
     const Entry& front = items_[popped_ & mask_];
     if (time.timing() == Timing::clocked) {
-      while (empty() || front.visible > time.now()) time.starve_until(time.now() + 1);
+      while (empty() || front.arrives > time.now()) time.starve_until(time.now() + 1);
     } else {
       while (!has_item()) wait_for_item();
-      time.starve_until(front.visible);
+      time.starve_until(front.arrives);
     }
+    time.wait_for_memory_until(front.visible);
+    if (time.now() > before) time.follow(front.path);
     pop_times_[popped_ & mask_] = time.now();
+    pop_paths_[popped_ & mask_] = time.path();
     Item item = std::move(items_[popped_ & mask_].item);
     ++popped_;
     if (producer_waits_) popped_event_.notify();
@@ -118,8 +129,9 @@ class Link {
 
  private:
   struct Entry {
-    Cycle visible;
-    Item item;
+    Cycle arrives = 0, visible = 0;  // without its data, and with them
+    Item item{};
+    CriticalPath path;  // up to `visible`
   };
   bool full() const { return size() >= depth_; }
   bool empty() const { return size() == 0; }
@@ -136,9 +148,10 @@ class Link {
   std::string name_;
   std::size_t depth_;
   Cycle latency_;
-  std::size_t mask_;              // a power of two that holds `depth` items, less one
-  std::vector<Cycle> pop_times_;  // of the last items, number n at n & mask
-  std::vector<Entry> items_;      // the same
+  std::size_t mask_;                     // a power of two that holds `depth` items, less one
+  std::vector<Cycle> pop_times_;         // of the last items, number n at n & mask
+  std::vector<CriticalPath> pop_paths_;  // the same
+  std::vector<Entry> items_;             // the same
   Cycle last_visible_ = 0;
   std::size_t pushed_ = 0, popped_ = 0;
   OnDemand* producer_ = nullptr;

@@ -5,6 +5,7 @@
 
 #include "base/counter.h"
 #include "model/memory/cycle.h"
+#include "model/units/critical_path.h"
 #include "model/units/unit_state.h"
 
 namespace wedgesim::model::units {
@@ -43,20 +44,28 @@ class UnitTime {
   Timing timing() const { return timing_; }
   Cycle now() const { return now_; }
   /// Works for some cycles.
-  void work(Cycle cycles) { advance(cycles, UnitState::busy, busy_); }
+  void work(Cycle cycles) {
+    account(CriticalPath::Part::work, cycles);
+    advance(cycles, UnitState::busy, busy_);
+  }
   /// Has nothing to work on until a cycle.
-  void starve_until(Cycle cycle) { advance_to(cycle, UnitState::starved, starved_); }
-  /// Cannot hand on, or must wait for what it asked for, until a cycle.
-  void stall_until(Cycle cycle) { advance_to(cycle, UnitState::stalled, stalled_); }
-  /// The same, for memory.
+  void starve_until(Cycle cycle) {
+    advance_to(cycle, UnitState::starved, starved_, CriticalPath::Part::queue);
+  }
+  /// Cannot hand on, or must wait for its own earlier work, until a cycle.
+  void stall_until(Cycle cycle) {
+    advance_to(cycle, UnitState::stalled, stalled_, CriticalPath::Part::work);
+  }
+  /// Waits, stalled, for bytes from memory.
   void wait_for_memory_until(Cycle cycle) {
     if (cycle > now_) memory_ += cycle - now_;
-    stall_until(cycle);
+    advance_to(cycle, UnitState::stalled, stalled_, CriticalPath::Part::memory);
   }
   /// Memory has held the unit for some cycles, in which the kernel has gone on already.
   void was_held(Cycle cycles) {
     stalled_ += cycles;
     memory_ += cycles;
+    account(CriticalPath::Part::memory, cycles);
     if (listener_) listener_(UnitState::stalled, now_, now_ + cycles);
     now_ += cycles;
   }
@@ -82,6 +91,17 @@ class UnitTime {
     alone_ = false;
   }
 
+  /// What the unit's cycles so far waited for; adds up to now().
+  const CriticalPath& path() const { return path_; }
+  /// It has waited for something whose account this is; `more` cycles of them in a queue.
+  void follow(const CriticalPath& path, Cycle more = 0) {
+    path_ = path;
+    account(CriticalPath::Part::queue, more);
+  }
+  /// The unit's place in the pipeline, less than CriticalPath::kUnits.
+  void place_at(std::size_t place) { place_ = place; }
+  std::size_t place() const { return place_; }
+
   Cycle busy() const { return busy_.value(); }
   Cycle starved() const { return starved_.value(); }
   Cycle stalled() const { return stalled_.value(); }
@@ -89,8 +109,11 @@ class UnitTime {
   Cycle memory() const { return memory_.value(); }
 
  private:
-  void advance_to(Cycle cycle, UnitState state, Counter& counter) {
-    if (cycle > now_) advance(cycle - now_, state, counter);
+  void account(CriticalPath::Part part, Cycle cycles) { path_.add(place_, part, cycles); }
+  void advance_to(Cycle cycle, UnitState state, Counter& counter, CriticalPath::Part part) {
+    if (cycle <= now_) return;
+    account(part, cycle - now_);
+    advance(cycle - now_, state, counter);
   }
   void advance(Cycle cycles, UnitState state, Counter& counter) {
     counter += cycles;
@@ -119,6 +142,8 @@ class UnitTime {
   Group& statistics_;
   std::function<void(UnitState, Cycle, Cycle)> listener_;
   Cycle now_ = 0;
+  std::size_t place_ = 0;
+  CriticalPath path_;
   Counter busy_{statistics_, "busy_cycles", Unit::cycles, "Cycles at work"};
   Counter starved_{statistics_, "starved_cycles", Unit::cycles, "Cycles without input"};
   Counter stalled_{statistics_, "stalled_cycles", Unit::cycles, "Cycles held up by what follows"};

@@ -14,9 +14,10 @@ WedgeFetch::WedgeFetch(sc_core::sc_module_name name, Timing timing, const WedgeF
       out_(out),
       outstanding_(config.outstanding) {}
 
-void WedgeFetch::drained(Cycle cycle) {
+void WedgeFetch::drained(Cycle cycle, const CriticalPath& path) {
   is_drained_ = true;
   drained_at_ = cycle;
+  drained_path_ = path;
   drained_event_.notify();
 }
 
@@ -62,12 +63,14 @@ Cycle WedgeFetch::fetch(const PrimitiveWork& primitive) {
 }
 
 void WedgeFetch::wait_until_drained() {
+  const Cycle before = time_.now();
   if (time_.timing() == Timing::clocked) {
     while (!is_drained_ || drained_at_ >= time_.now()) time_.starve_until(time_.now() + 1);
   } else {
     while (!is_drained_) sc_core::wait(drained_event_);
     time_.starve_until(drained_at_ + 1);
   }
+  if (time_.now() > before) time_.follow(drained_path_, 1);
   is_drained_ = false;
 }
 

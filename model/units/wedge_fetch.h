@@ -25,8 +25,8 @@ class WedgeFetch final : public BlockUnit {
   WedgeFetch(sc_core::sc_module_name name, Timing timing, const WedgeFetchConfig& config,
              Source source, MemoryPort& port, const memory::Layout& layout, Link<Token>& out);
 
-  /// The last unit is empty as of a cycle.
-  void drained(Cycle cycle);
+  /// The last unit is empty as of a cycle, that path its account.
+  void drained(Cycle cycle, const CriticalPath& path = {});
 
  private:
   void process() override;
@@ -42,6 +42,7 @@ class WedgeFetch final : public BlockUnit {
   Cycle last_ready_ = 0;
   bool is_drained_ = false;
   Cycle drained_at_ = 0;
+  CriticalPath drained_path_;
   sc_core::sc_event drained_event_;
   Counter lines_{statistics_, "lines", Unit::accesses, "Lines of wedge records fetched"};
 };

@@ -96,6 +96,25 @@ TEST(Cycles, JsonHasRatesWithUnitsInTheirNames) {
   EXPECT_TRUE(without["memory"]["burst_bytes"].is_null());
 }
 
+// The block waits for lines of z behind which few items fit.
+TEST(Cycles, TheBottleneckIsNamedInWordsAndInJson) {
+  BlockConfig config = ideal();
+  config.z_read.cache.size_bytes = 0;
+  config.z_read.out.depth = 1;
+  config.memory.ideal.latency_cycles = 1000;
+  config.wedge_fetch.outstanding = 256;
+  const CyclesReport report = run(config);
+  const Json json = cycles_json(report);
+  EXPECT_EQ(json["bottleneck"], "memory:z_read");
+  std::uint64_t sum = 0;
+  for (const Json& cycles : json["critical_path_cycles"]) sum += cycles.get<std::uint64_t>();
+  EXPECT_EQ(sum, json["cycles"].get<std::uint64_t>());
+  const std::string text = cycles_text(report);
+  EXPECT_NE(text.find("the bottleneck is memory behind z_read\nwaited for: memory behind z_read "),
+            std::string::npos)
+      << text;
+}
+
 TEST(Cycles, TheTextHasThreeLevelsOfBytesSideBySide) {
   const std::string text = cycles_text(run(dram()));
   for (const char* part :

@@ -24,6 +24,11 @@ const traces::Trace& coverage() {
   static const traces::Trace trace = test::render("plain-columns", WedgeKind_coverage);
   return trace;
 }
+const traces::Trace& sphere() {
+  static const traces::Trace trace = wedgesim::test::render(
+      "plain-columns", WedgeKind_coverage, {96, 64}, functional::LightShape::sphere);
+  return trace;
+}
 const traces::Trace& z_fail() {
   static const traces::Trace trace = test::render("eye-in-shadow", WedgeKind_coverage);
   return trace;
@@ -122,7 +127,7 @@ void expect_witnessed(const RecordedFrame& frame, const BlockConfig& config) {
 }
 
 TEST(Block, DecoupledTimeIsThatOfTheClockedWitness) {
-  for (const traces::Trace* trace : {&linear(), &coverage(), &z_fail()}) {
+  for (const traces::Trace* trace : {&linear(), &coverage(), &sphere(), &z_fail()}) {
     for (const Mode mode : {Mode::single_pass, Mode::three_pass}) {
       const BlockConfig base = config_of(mode);
       const traces::TraceView view = trace->view();
@@ -144,6 +149,41 @@ TEST(Block, DecoupledTimeIsThatOfTheClockedWitnessInEveryTileSize) {
       config.rasterizer.tile = tile;
       const traces::TraceView view = coverage().view();
       expect_witnessed(record_frame(view, config), config);
+    }
+  }
+}
+
+std::uint64_t statistic(const BlockResult& result, std::string_view unit, std::string_view name) {
+  for (const UnitResult& each : result.units) {
+    if (each.name != unit) continue;
+    for (const Statistic& statistic : each.statistics) {
+      if (statistic.name == name) return statistic.value;
+    }
+  }
+  throw std::out_of_range(std::string(unit));
+}
+
+// Each visit that is counted is tested once, each z read goes through a lane once.
+TEST(Block, UnitsDoTheWorkThatIsCounted) {
+  for (const traces::Trace* trace : {&linear(), &coverage(), &sphere(), &z_fail()}) {
+    for (const Mode mode : {Mode::single_pass, Mode::three_pass}) {
+      for (const Accept accept : {Accept::none, Accept::zmin}) {
+        SCOPED_TRACE(trace->header.name + ' ' + std::string(spelling(mode)));
+        BlockConfig config = config_of(mode);
+        config.rasterizer.accept = accept;
+        const traces::TraceView view = trace->view();
+        const RecordedFrame frame = record_frame(view, config);
+        const BlockResult result = run_block(frame, config);
+        const Counters& counters = frame.counters();
+        EXPECT_EQ(statistic(result, "tile_cull", "visits"), counters.tile_visits.value());
+        const std::uint64_t pixels = statistic(result, "penumbra", "pixels");
+        const bool unread = frame.z_fail || accept != Accept::none;  // caps, or accepted tiles
+        if (unread) {
+          EXPECT_GE(pixels, counters.z_reads.value());
+        } else {
+          EXPECT_EQ(pixels, counters.z_reads.value());
+        }
+      }
     }
   }
 }

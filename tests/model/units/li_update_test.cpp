@@ -24,7 +24,7 @@ struct LiUpdateTest : BothTimings {
     Link<Token> in("source to li_update", {64, 1});
     Source<Token> source("source", GetParam(), in, std::move(offers));
     LiUpdate unit("li_update", GetParam(), config, three_pass, around.port, around.layout, in);
-    unit.on_drained([this](Cycle cycle) { drained = cycle; });
+    unit.on_drained([this](Cycle cycle, const CriticalPath&) { drained = cycle; });
     sc_core::sc_start();
     ASSERT_TRUE(unit.finished());
     const UnitTime& time = unit.time();

@@ -95,6 +95,31 @@ TEST_P(LinkTest, DataThatAreReadyLaterHoldTheQueue) {
   EXPECT_EQ(link.size(), 0U);
 }
 
+// Pushed in 5, there in 8, its data in 20: 8 cycles without an item, 12 for memory. The account: 5
+// cycles before the push, 3 in the queue, 12 for memory.
+TEST_P(LinkTest, AnItemWhoseDataAreNotThereWaitsForMemory) {
+  const ScopedSimulation simulation;
+  Link<int> link("a to b", {8, 3});
+  Actor source("a", GetParam(), [&](UnitTime& time) {
+    time.work(5);
+    link.push(time, 1, 20);
+  });
+  Sink<int> sink("b", GetParam(), link, 1, 2);
+  source.time().place_at(0);
+  sink.time().place_at(1);
+  sc_core::sc_start();
+  EXPECT_EQ(sink.popped, Cycles{20});
+  EXPECT_EQ(sink.time().starved(), 8U);
+  EXPECT_EQ(sink.time().stalled(), 12U);
+  EXPECT_EQ(sink.time().memory(), 12U);
+  const CriticalPath& path = sink.time().path();
+  EXPECT_EQ(path.of(0, CriticalPath::Part::work), 5U);
+  EXPECT_EQ(path.of(0, CriticalPath::Part::queue), 3U);
+  EXPECT_EQ(path.of(0, CriticalPath::Part::memory), 12U);
+  EXPECT_EQ(path.of(1, CriticalPath::Part::work), 2U);
+  EXPECT_EQ(path.total(), sink.time().now());
+}
+
 WEDGESIM_BOTH_TIMINGS(LinkTest);
 
 }  // namespace
