@@ -10,6 +10,7 @@
 #include "cli/progress.h"
 #include "reports/claims/claims.h"
 #include "reports/page/study_page.h"
+#include "reports/runner/estimate.h"
 #include "reports/runner/metrics.h"
 #include "reports/runner/runner.h"
 #include "reports/runner/store.h"
@@ -21,7 +22,7 @@ namespace {
 
 struct Arguments {
   std::string name, folder, scenes, size, jobs, shard, claims;
-  bool retry = false, list_metrics = false;
+  bool retry = false, list_metrics = false, dry_run = false;
 };
 
 reports::Study read_study(const Arguments& arguments) {
@@ -93,6 +94,10 @@ int run(const Arguments& arguments) {
                      "the study claims, or one with claims = true");
   }
   reports::RunOptions options = options_of(arguments, study.head.name);
+  if (arguments.dry_run) {
+    print(reports::dry_run(study, options));
+    return 0;
+  }
   reports::RunCounts counts;
   {
     Progress progress;
@@ -140,6 +145,8 @@ Command add_study(CLI::App& program) {
                   "Also write the page of the papers' claims here (the study claims)")
       ->type_name("FILE.md");
   app->add_flag("--retry", arguments->retry, "Measure points again that failed before");
+  app->add_flag("--dry-run", arguments->dry_run,
+                "List all points with the seconds they may take, and do no more");
   app->add_flag("--metrics", arguments->list_metrics, "List all metrics, and do no more");
   app->footer(
       "Example:\n  wedgesim study paper2 -o out/paper2\n"

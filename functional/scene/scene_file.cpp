@@ -169,8 +169,10 @@ Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
   scene.light.half_v *= options.light_scale;
   scene.light.radius *= options.light_scale;
   if (!has_extent(scene.light)) scene.light.shape = LightShape::point;
-  const ObjectContext context{
-      {source.file.parent_path(), options.mesh, &scene.files}, options.repair, notes};
+  const ObjectContext context{{source.file.parent_path(), options.mesh, &scene.files},
+                              options.repair,
+                              notes,
+                              options.field_side};
   for (const TomlTable& object : table.tables("object")) {
     std::ranges::move(read_objects(object, context), std::back_inserter(scene.objects));
   }
@@ -191,6 +193,7 @@ SceneSource scene_source(const std::string& name_or_file) {
   source.name = found.name;
   if (!found.file.empty()) source.files.push_back(found.file);
   for (const TomlTable& object : table.tables("object")) {
+    source.has_field |= object.has("field");
     for (const char* key : {"file", "font"}) {
       if (object.has(key)) source.files.push_back(found.file.parent_path() / object.text(key));
     }

@@ -19,8 +19,10 @@ struct SceneOptions {
   /// Turns the light into another shape: a sphere of radius (|half_u| + |half_v|) / 2, a square of
   /// half axes as long as the radius that faces the light's target, or its centre alone.
   std::optional<LightShape> light_shape;
-  double light_scale = 1.0;  // of the light's half axes or radius, above 0
+  double light_scale = 1.0;       // of the light's half axes or radius, above 0
+  std::optional<int> field_side;  // copies each way of objects with a field, 1 to kMostFieldSide
 };
+inline constexpr int kMostFieldSide = 200;
 
 struct SceneInfo {
   std::string name;
@@ -42,7 +44,8 @@ struct SceneSource {
   std::string text;                          // of its file
   std::vector<std::filesystem::path> files;  // its own, unless built in, meshes and fonts
   int width = 640, height = 427;
-  int frames = 1;  // of the camera path
+  int frames = 1;          // of the camera path
+  bool has_field = false;  // an object says how many copies of it there are
 };
 
 /// What can be known of a scene without its meshes, which need not be there.

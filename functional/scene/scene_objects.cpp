@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "functional/scene/manifold.h"
 #include "functional/scene/repair.h"
+#include "functional/scene/scene_file.h"
 #include "functional/scene/transform.h"
 #include "functional/scene/weld.h"
 
@@ -35,7 +36,28 @@ Placement read_placement(const TomlTable& table) {
   return placement;
 }
 
-std::vector<glm::dvec3> read_positions(const TomlTable& table) {
+// As many copies each way as the field says, each smaller by that, over the same square.
+std::vector<glm::dvec3> read_field(const TomlTable& table, const ObjectContext& context,
+                                   Placement& placement) {
+  const TomlTable field = table.table("field");
+  const int own_side = field.integer("side", {}, 1, kMostFieldSide);
+  const int side = context.field_side.value_or(own_side);
+  const double size = field.number("size", {}, Range::size());
+  field.reject_unknown();
+  placement.scale /= side;
+  std::vector<glm::dvec3> positions;
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      const glm::dvec3 place{(column + 0.5) / side - 0.5, 0.0, (row + 0.5) / side - 0.5};
+      positions.push_back(table.vec3("position", glm::dvec3(0.0)) + size * place);
+    }
+  }
+  return positions;
+}
+
+std::vector<glm::dvec3> read_positions(const TomlTable& table, const ObjectContext& context,
+                                       Placement& placement) {
+  if (table.has("field")) return read_field(table, context, placement);
   if (!table.has("positions")) {
     return {table.vec3("position", glm::dvec3(0.0))};
   }
@@ -67,7 +89,7 @@ std::vector<Object> read_objects(const TomlTable& table, const ObjectContext& co
     object.mesh = fitted(std::move(object.mesh), table.number("fit", {}, Range::size()));
   }
   Placement placement = read_placement(table);
-  const std::vector<glm::dvec3> positions = read_positions(table);
+  const std::vector<glm::dvec3> positions = read_positions(table, context, placement);
   table.reject_unknown();
   std::vector<Object> objects;
   for (const glm::dvec3& position : positions) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct ObjectContext {
   ShapeContext shape;
   bool repair = false;                        // as if every caster said so
   std::vector<std::string>* notes = nullptr;  // gets what repairs did
+  std::optional<int> field_side;              // in the place of every field's own
 };
 
 /// The objects of one [[object]] table: one for each position. Casters are welded and closed.

@@ -86,6 +86,7 @@ std::string pixels_text(const std::vector<const PointRow*>& points) {
   if (points.empty()) return "pixels: none compared";
   std::uint64_t compared = 0, mismatched = 0, wrong = 0;
   double max_error = 0.0, rms_error = 0.0, tolerance = 0.0;
+  bool has_rms = false;
   std::string failed;
   for (const PointRow* point : points) {
     compared = std::max(compared, whole(*point, "compared"));
@@ -93,6 +94,7 @@ std::string pixels_text(const std::vector<const PointRow*>& points) {
     wrong += whole(*point, "wrong_contributions");
     max_error = std::max(max_error, number(*point, "max_error"));
     rms_error = std::max(rms_error, number(*point, "rms_error"));
+    has_rms |= point->metrics.contains("rms_error");  // the block's check has none
     tolerance = std::max(tolerance, number(*point, "tolerance"));
     if (held(*point)) continue;
     failed += fmt::format("\nFAILED: {}: {}: {} pixels mismatched, {} contributions lost",

@@ -61,6 +61,7 @@ struct Options {
   std::vector<int> frames{0};
   std::vector<std::optional<std::pair<int, int>>> sizes{std::nullopt};
   std::vector<double> light_scales{1.0};
+  std::vector<std::optional<int>> field_sides{std::nullopt};
   std::vector<std::string> kinds{"coverage"}, lights{"scene"}, depths{"unorm24"};
 };
 
@@ -97,6 +98,7 @@ class Reader {
       fail(key, "names a value twice", "each value once");
     }
   }
+  bool has(const std::string& key) const { return table_.contains(key); }
   [[noreturn]] void fail(const std::string& key, const std::string& problem,
                          const std::string& expected) const {
     TomlTable(table_, file_).fail(key, problem, expected);
@@ -158,6 +160,18 @@ Options read_options(const Reader& reader, const FrameOverrides& overrides) {
     }
     reader.refuse_twice("light_scale", options.light_scales);
   }
+  if (const std::vector<Value> sides = reader.values("field_side"); !sides.empty()) {
+    options.field_sides.clear();
+    for (const Value& value : sides) {
+      const int side = whole(to_text(value));
+      if (side < 1 || side > functional::kMostFieldSide) {
+        reader.fail("field_side", fmt::format("is '{}'", to_text(value)),
+                    fmt::format("1 to {}", functional::kMostFieldSide));
+      }
+      options.field_sides.emplace_back(side);
+    }
+    reader.refuse_twice("field_side", options.field_sides);
+  }
   reader.choices("kind", options.kinds, kKinds);
   reader.choices("light", options.lights, kLights);
   reader.choices("depth", options.depths, depth_formats());
@@ -173,6 +187,10 @@ class SceneFrames {
         out_(out),
         source_(functional::scene_source(name_or_file_)) {
     for (const auto& file : source_.files) content_ += content_hash(file);
+    if (reader_.has("field_side") && !source_.has_field) {
+      reader_.fail("field_side", fmt::format("is set, but {} has no field", source_.name),
+                   "a scene with an object that has the key 'field'");
+    }
   }
 
   void add_all(const Options& options) {
@@ -183,11 +201,13 @@ class SceneFrames {
                          fmt::format("0 to {}", source_.frames - 1));
       }
       for (const auto& size : options.sizes) {
-        for (const double scale : options.light_scales) {
-          for (const std::string& kind : options.kinds) {
-            for (const std::string& light : options.lights) {
-              for (const std::string& depth : options.depths) {
-                add(options, frame, size, scale, kind, light, depth);
+        for (const auto side : options.field_sides) {
+          for (const double scale : options.light_scales) {
+            for (const std::string& kind : options.kinds) {
+              for (const std::string& light : options.lights) {
+                for (const std::string& depth : options.depths) {
+                  add(options, {frame, size, side, scale, kind, light, depth});
+                }
               }
             }
           }
@@ -197,34 +217,45 @@ class SceneFrames {
   }
 
  private:
-  void add(const Options& options, int frame, std::optional<std::pair<int, int>> size, double scale,
-           const std::string& kind, const std::string& light, const std::string& depth) {
+  /// One value of each option.
+  struct Choice {
+    int frame;
+    std::optional<std::pair<int, int>> size;
+    std::optional<int> field_side;
+    double light_scale;
+    std::string kind, light, depth;
+  };
+
+  void add(const Options& options, const Choice& choice) {
     FrameSpec spec;
     spec.source = name_or_file_;
     spec.files = source_.files;
-    spec.scene.frame = frame;
-    spec.scene.size = size;
-    spec.scene.light_scale = scale;
-    spec.scene.light_shape = kLights.at(light);
-    spec.options.kind = kKinds.at(kind);
-    spec.options.depth_format = depth_formats().at(depth);
-    const auto [width, height] = size.value_or(std::pair(source_.width, source_.height));
+    spec.scene.frame = choice.frame;
+    spec.scene.size = choice.size;
+    spec.scene.field_side = choice.field_side;
+    spec.scene.light_scale = choice.light_scale;
+    spec.scene.light_shape = kLights.at(choice.light);
+    spec.options.kind = kKinds.at(choice.kind);
+    spec.options.depth_format = depth_formats().at(choice.depth);
+    const auto [width, height] = choice.size.value_or(std::pair(source_.width, source_.height));
     FrameRow& row = spec.row;
     row.scene = source_.name;
-    row.parameters = {{"frame", std::int64_t{frame}},
+    row.parameters = {{"frame", std::int64_t{choice.frame}},
                       {"width", std::int64_t{width}},
                       {"height", std::int64_t{height}},
-                      {"light_scale", scale},
-                      {"kind", kind},
-                      {"light", light},
-                      {"depth", depth}};
+                      {"light_scale", choice.light_scale},
+                      {"kind", choice.kind},
+                      {"light", choice.light},
+                      {"depth", choice.depth}};
+    if (choice.field_side) row.parameters["field_side"] = std::int64_t{*choice.field_side};
     row.label = source_.name;
-    if (options.frames.size() > 1) row.label += fmt::format("-f{}", frame);
+    if (options.frames.size() > 1) row.label += fmt::format("-f{}", choice.frame);
     if (options.sizes.size() > 1) row.label += fmt::format("-{}x{}", width, height);
-    if (options.light_scales.size() > 1) row.label += fmt::format("-l{}", scale);
-    if (options.kinds.size() > 1) row.label += '-' + kind;
-    if (options.lights.size() > 1) row.label += '-' + light;
-    if (options.depths.size() > 1) row.label += '-' + depth;
+    if (options.field_sides.size() > 1) row.label += fmt::format("-n{}", *choice.field_side);
+    if (options.light_scales.size() > 1) row.label += fmt::format("-l{}", choice.light_scale);
+    if (options.kinds.size() > 1) row.label += '-' + choice.kind;
+    if (options.lights.size() > 1) row.label += '-' + choice.light;
+    if (options.depths.size() > 1) row.label += '-' + choice.depth;
     row.key = hash_of(source_.name + source_.text + content_ + to_json(row.parameters).dump());
     out_.push_back(std::move(spec));
   }
@@ -269,13 +300,11 @@ std::string resolved(const std::string& name_or_file, const std::filesystem::pat
   return (folder / path).string();
 }
 
-}  // namespace
-
-std::vector<FrameSpec> read_frames(const toml::table& table, const std::string& file,
-                                   const FrameOverrides& overrides) {
+void read_table(const toml::table& table, const std::string& file, const FrameOverrides& overrides,
+                std::vector<FrameSpec>& frames) {
   const TomlTable known(table, file);
   for (const char* key :
-       {"scene", "trace", "frame", "size", "light_scale", "kind", "light", "depth"}) {
+       {"scene", "trace", "frame", "size", "field_side", "light_scale", "kind", "light", "depth"}) {
     (void)known.has(key);
   }
   known.reject_unknown();
@@ -289,11 +318,31 @@ std::vector<FrameSpec> read_frames(const toml::table& table, const std::string& 
     }
     traces = reader.words("trace", {});
   }
+  if (scenes.empty() && traces.empty()) {
+    known.fail("scene", "is missing", "scenes, or traces in 'trace'");
+  }
   const Options options = read_options(reader, overrides);
-  std::vector<FrameSpec> frames;
   for (const std::string& scene : scenes) SceneFrames(scene, reader, frames).add_all(options);
   for (const std::string& trace : traces) frames.push_back(trace_frame(folder / trace));
-  if (frames.empty()) known.fail("scene", "is missing", "scenes, or traces in 'trace'");
+}
+
+}  // namespace
+
+std::vector<FrameSpec> read_frames(const toml::node& node, const std::string& file,
+                                   const FrameOverrides& overrides) {
+  std::vector<FrameSpec> frames;
+  if (const toml::table* table = node.as_table()) {
+    read_table(*table, file, overrides, frames);
+  } else if (const toml::array* tables = node.as_array();
+             tables != nullptr && tables->is_homogeneous(toml::node_type::table)) {
+    for (const toml::node& each : *tables) {
+      read_table(*each.as_table(), file, overrides, frames);
+      if (!overrides.scenes.empty()) break;  // those of the first
+    }
+  } else {
+    throw InputError(fmt::format("{}:{}", file, node.source().begin.line), "'frames' is no table",
+                     "[frames], or several [[frames]]");
+  }
   refuse_equal_labels(frames);
   return frames;
 }

@@ -31,11 +31,12 @@ struct FrameOverrides {
   std::optional<std::pair<int, int>> size;  // pixels
 };
 
-/// The frames of a table [frames]: traces, and every combination of scenes and their options.
+/// The frames of a table [frames], or of several: traces, and every combination of scenes and their
+/// options.
 /// docs/studies.md lists the keys.
 /// \param file  the study's; relative paths start at its folder
 /// \throws InputError at FILE:LINE, or of a scene or trace that is not there
-std::vector<FrameSpec> read_frames(const toml::table& table, const std::string& file,
+std::vector<FrameSpec> read_frames(const toml::node& node, const std::string& file,
                                    const FrameOverrides& overrides);
 
 /// What rendering tells.

@@ -62,16 +62,6 @@ void collect(const std::filesystem::path& folder, const std::map<Position, Row>&
   }
 }
 
-// A configuration by what tells it from the others of both results.
-std::string name_of(const PointRow& point, const std::vector<std::string>& axes) {
-  std::string name = point.frame + ' ' + point.measure;
-  for (const std::string& axis : axes) {
-    const std::string value = to_text(find_value(point.configuration, axis));
-    if (!value.empty()) name += fmt::format(" {}={}", axis, value);
-  }
-  return name;
-}
-
 void compare_values(const std::string& name, const Values& a, const Values& b,
                     std::vector<std::string>& lines) {
   Values all = a;
@@ -136,7 +126,9 @@ void compare_points(const Results& a, const Results& b, std::vector<std::string>
   }
   walk_both(by_configuration(a), by_configuration(b),
             [&](const PointRow* first, const PointRow* second) {
-              const std::string name = name_of(first == nullptr ? *second : *first, axes);
+              const PointRow& either = first == nullptr ? *second : *first;
+              const std::string name =
+                  point_name(either.frame, either.measure, either.configuration, axes);
               if (first == nullptr || second == nullptr) {
                 lines.push_back(fmt::format("{}: only in the {} results", name,
                                             first == nullptr ? "second" : "first"));

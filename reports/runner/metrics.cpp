@@ -69,7 +69,8 @@ const std::vector<OfCycles>& cycles_metrics() {
       {"accesses", "accesses", "z_reads + li_writes", [](const auto& r) { return integer(r.counters().z_reads.value() + r.counters().li_writes.value()); }},
       {"compared", "pixels", "Pixels compared with the expected LI", [](const auto& r) { return integer(r.pixels.compared); }},
       {"mismatched", "pixels", "Pixels beyond the tolerance and their own sensitivity", [](const auto& r) { return integer(r.pixels.mismatched); }},
-      {"max_error", "full light", "Largest error of LI over all pixels", [](const auto& r) -> Value { return r.pixels.max_error; }}};
+      {"max_error", "full light", "Largest error of LI over all pixels", [](const auto& r) -> Value { return r.pixels.max_error; }},
+      {"tolerance", "full light", "What a pixel may be off besides its sensitivity", [](const auto& r) -> Value { return r.pixels.tolerance; }}};
   return metrics;
 }
 // clang-format on

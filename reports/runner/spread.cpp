@@ -32,7 +32,9 @@ std::optional<Spread> PointGroup::spread(std::string_view metric) const {
 }
 
 Value frame_value(const FrameRow& frame, const std::string& key) {
-  return key == "scene" ? Value(frame.scene) : find_value(frame.parameters, key);
+  if (key == "scene") return frame.scene;
+  if (key == "wedges") return frame.wedges;
+  return find_value(frame.parameters, key);
 }
 
 std::vector<PointGroup> groups_of(const Results& results) {

@@ -35,7 +35,7 @@ struct PointGroup {
 /// \param results  outlives the groups
 std::vector<PointGroup> groups_of(const Results& results);
 
-/// Of a frame: its scene, or a parameter.
+/// Of a frame: its scene, its wedges, or a parameter.
 Value frame_value(const FrameRow& frame, const std::string& key);
 
 }  // namespace wedgesim::reports

@@ -234,13 +234,6 @@ void Store::keep_all(const std::map<Position, FrameRow>& frames,
   transaction.commit();
 }
 
-std::map<std::pair<std::string, std::string>, std::vector<double>> Store::seconds() {
-  Statement rows(database_, "SELECT measure, frame, seconds FROM points WHERE state = 'done'");
-  std::map<std::pair<std::string, std::string>, std::vector<double>> seconds;
-  while (rows.step()) seconds[{rows.text(0), rows.text(1)}].push_back(rows.number(2));
-  return seconds;
-}
-
 Stored read_stored(const std::filesystem::path& folder) {
   std::error_code error;
   if (!std::filesystem::exists(results_path(folder), error)) {

@@ -50,9 +50,6 @@ class Store {
   void keep_all(const std::map<Position, FrameRow>& frames,
                 const std::map<Position, PointRow>& points);
 
-  /// Seconds that points took before, by measure and frame.
-  std::map<std::pair<std::string, std::string>, std::vector<double>> seconds();
-
  private:
   void write(const FrameRow& frame, Position position);
   void write(const PointRow& point, Position position);

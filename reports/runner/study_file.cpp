@@ -16,8 +16,8 @@ namespace wedgesim::reports {
 namespace {
 
 const std::vector<std::string> kBlockKeys{"measure", "count", "seed"};
-const std::vector<std::string> kFrameKeys{"scene",       "frame", "width", "height",
-                                          "light_scale", "kind",  "light", "depth"};
+const std::vector<std::string> kFrameKeys{"scene",      "frame",       "width", "height", "wedges",
+                                          "field_side", "light_scale", "kind",  "light",  "depth"};
 const std::vector<std::string> kPlotKinds{"line", "bar", "scatter"};
 
 class StudyReader {
@@ -36,11 +36,9 @@ class StudyReader {
     read_metrics();
     read_plots();
     const toml::node* frames = root_.get("frames");
-    if (!table_.has("frames") || !frames->is_table()) {
-      table_.fail("frames", "is missing", "a table [frames]");
-    }
+    if (!table_.has("frames")) table_.fail("frames", "is missing", "a table [frames]");
     table_.reject_unknown();
-    study_.frames = read_frames(*frames->as_table(), file_, overrides);
+    study_.frames = read_frames(*frames, file_, overrides);
     return std::move(study_);
   }
 

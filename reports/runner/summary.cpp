@@ -88,15 +88,6 @@ Table configurations_table(const Results& results) {
   return table;
 }
 
-std::string axes_text(const PointRow& point, const StudyHead& study) {
-  std::string text = point.frame + ", " + point.measure;
-  for (const std::string& axis : study.axes) {
-    const std::string value = to_text(find_value(point.configuration, axis));
-    if (!value.empty()) text += fmt::format(", {} {}", axis, value);
-  }
-  return text;
-}
-
 void add_checks(Document& document, const Results& results) {
   std::vector<const PointRow*> done;
   std::vector<std::string> failures;
@@ -104,8 +95,10 @@ void add_checks(Document& document, const Results& results) {
     if (point.state == PointState::done) {
       done.push_back(&point);
     } else {
-      failures.push_back(fmt::format("{}: {}: {}", spelling(point.state),
-                                     axes_text(point, results.study), point.message));
+      failures.push_back(fmt::format(
+          "{}: {}: {}", spelling(point.state),
+          point_name(point.frame, point.measure, point.configuration, results.study.axes),
+          point.message));
     }
   }
   if (!results.study.modes_tables && results.study.check_pixels) {

@@ -57,6 +57,16 @@ const Value& find_value(const Values& values, std::string_view key) {
   return found == values.end() ? nothing : found->second;
 }
 
+std::string point_name(const std::string& frame, const std::string& measure,
+                       const Values& configuration, const std::vector<std::string>& axes) {
+  std::string name = frame + ' ' + measure;
+  for (const std::string& axis : axes) {
+    const std::string value = to_text(find_value(configuration, axis));
+    if (!value.empty()) name += fmt::format(" {}={}", axis, value);
+  }
+  return name;
+}
+
 std::string hash_of(std::string_view bytes) {
   const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);

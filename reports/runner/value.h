@@ -23,6 +23,10 @@ Values values_of(const Json& json);
 /// The value of a key; nothing if there is none.
 const Value& find_value(const Values& values, std::string_view key);
 
+/// A point as messages name it: by frame, measure, and what tells its configuration from others.
+std::string point_name(const std::string& frame, const std::string& measure,
+                       const Values& configuration, const std::vector<std::string>& axes);
+
 /// XXH3 of 128 bits as 32 hexadecimal digits.
 std::string hash_of(std::string_view bytes);
 

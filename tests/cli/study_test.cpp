@@ -109,6 +109,21 @@ TEST_F(Study, ASceneWithoutItsMeshFailsAndTheRestGoesOn) {
   EXPECT_NE(outcome.out.find("cylinder: 64x48"), std::string::npos);
 }
 
+TEST_F(Study, ADryRunListsPointsAndSeconds) {
+  const Outcome first = study({"--scenes", "cylinder", "--dry-run"});
+  expect_good(first);
+  EXPECT_EQ(std::ranges::count(first.out, '\n'), 242);
+  EXPECT_EQ(first.out.find("cylinder count block.umbra_cull=none block.mode=three-pass "), 0U);
+  EXPECT_NE(first.out.find("240 points, 0 there already; 1 frames to render\n"), std::string::npos);
+  EXPECT_NE(first.out.find("a guess"), std::string::npos);
+  EXPECT_EQ(folder.entries(), 0U);
+  expect_good(study({"--scenes", "cylinder"}));
+  const Outcome second = study({"--scenes", "cylinder,overlap", "--dry-run"});
+  EXPECT_NE(second.out.find("480 points, 240 there already; 1 frames to render\n"),
+            std::string::npos);
+  EXPECT_NE(second.out.find("from seconds recorded"), std::string::npos);
+}
+
 TEST_F(Study, MetricsAreListed) {
   const Outcome outcome = run_command({"study", "--metrics"});
   expect_good(outcome);

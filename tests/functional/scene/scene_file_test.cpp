@@ -110,6 +110,28 @@ TEST_F(SceneFile, SourcesAreKnownWithoutMeshes) {
   EXPECT_THROW(scene_source("/nowhere/x.toml"), InputError);
 }
 
+TEST_F(SceneFile, AFieldIsCopiesOverASquare) {
+  EXPECT_EQ(load_scene("boxes").objects.size(), 1U + 16U);
+  EXPECT_TRUE(scene_source("boxes").has_field);
+  EXPECT_FALSE(scene_source("fractal").has_field);
+  SceneOptions options;
+  options.field_side = 2;
+  const Scene scene = load_scene("boxes", options);
+  ASSERT_EQ(scene.objects.size(), 1U + 4U);
+  const auto extent = [](const Object& object) {
+    glm::dvec3 low(1e9), high(-1e9);
+    for (const glm::dvec3& position : object.mesh.positions) {
+      low = glm::min(low, position);
+      high = glm::max(high, position);
+    }
+    return std::pair(low, high);
+  };
+  const auto [low, high] = extent(scene.objects[1]);
+  EXPECT_NEAR(high.y - low.y, 2.0, 1e-12) << "half as high as one alone";
+  EXPECT_NEAR(0.5 * (low.x + high.x), -2.25, 1e-12);
+  EXPECT_NEAR(extent(scene.objects[4]).first.z - low.z, 4.5, 1e-12);
+}
+
 TEST_F(SceneFile, LightsAreScaled) {
   SceneOptions options;
   options.light_scale = 2.0;
@@ -194,7 +216,7 @@ TEST_F(SceneFile, MistakesInTheFileHaveTheirLine) {
             "edited.toml:19: 'size' is 0; expected a number from 1e-06 to 1e+06");
   EXPECT_EQ(error(edited("size = [1, 1, 1]", "size = [1, 1, 1]\nradius = 2")),
             "edited.toml:20: unknown key 'radius'; expected one of casts, colour, repair, shape, "
-            "size, name, fit, scale, turn, positions, position");
+            "size, name, fit, scale, turn, field, positions, position");
   EXPECT_EQ(error(edited("centre = [0, 9, 1]", "centre = [0, nan, 1]")),
             "edited.toml:10: 'centre' is nan; expected a finite number");
   EXPECT_EQ(error(edited("size = [1, 1, 1]", "size = [1, 1, 1]\ncolour = [2, 0, 0]")),

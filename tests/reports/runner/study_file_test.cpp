@@ -115,6 +115,16 @@ TEST(StudyFile, FramesAreScenesTimesTheirOptions) {
   EXPECT_EQ(keys.size(), 16U);
 }
 
+TEST(StudyFile, SeveralTablesOfFramesFollowEachOther) {
+  const Study study = parse(
+      "by = [\"field_side\", \"wedges\"]\n"
+      "[[frames]]\nscene = \"cylinder\"\n[[frames]]\nscene = \"boxes\"\nfield_side = [2, 9]\n");
+  ASSERT_EQ(study.frames.size(), 3U);
+  EXPECT_EQ(study.frames[2].row.label, "boxes-n9");
+  EXPECT_EQ(study.frames[2].scene.field_side, 9);
+  EXPECT_EQ(study.frames[0].scene.field_side, std::nullopt);
+}
+
 TEST(StudyFile, AFrameIsKnownByWhatItIsMadeFrom) {
   const TemporaryFolder folder;
   const std::string scene =
@@ -162,6 +172,9 @@ INSTANTIATE_TEST_SUITE_P(
                  "s.toml:3: 'kind' is 'round'; expected one of coverage, linear"},
         BadStudy{"[frames]\nscene = [\"cylinder\", \"cylinder\"]\n",
                  "s.toml:2: 'scene' names a value twice"},
+        BadStudy{"[frames]\nscene = \"cylinder\"\nfield_side = 3\n",
+                 "s.toml:3: 'field_side' is set, but cylinder has no field"},
+        BadStudy{"frames = 3\n", "s.toml:1: 'frames' is no table"},
         BadStudy{"[frames]\nsceen = \"cylinder\"\n", "s.toml:2: unknown key 'sceen'"},
         BadStudy{FRAMES "[[grid]]\nblock.tile = [4, 7]\n",
                  "s.toml:4: block.tile: 'tile' 7 is no power of two"},

@@ -92,7 +92,7 @@ TEST(Summary, SaysWhichPointsFailed) {
   const std::string text = summary(results).text();
   EXPECT_TRUE(contains(text, "1 of 4 points could not be measured")) << text;
   EXPECT_TRUE(contains(text,
-                       "crashed: somewhere, count, block.mode single-pass, block.tile 4: the "
+                       "crashed: somewhere count block.mode=single-pass block.tile=4: the "
                        "worker ended by signal 11"))
       << text;
 }
