@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <glm/common.hpp>
 
 #include "functional/scene/manifold.h"
 #include "functional/scene/transform.h"
