@@ -20,16 +20,14 @@ constexpr double kRenderNanoseconds = 900.0;
 constexpr double kCountNanoseconds = 15.0;        // of many points in one walk
 constexpr double kCountAloneNanoseconds = 200.0;  // of a point with formats of its own
 constexpr double kCyclesNanoseconds = 60.0;
+const std::string kRender = "render";
 
-struct Mean {
-  double sum = 0.0;
-  int count = 0;
-  void add(double value) {
-    sum += value;
-    count += 1;
-  }
-  std::optional<double> value() const {
-    return count == 0 ? std::nullopt : std::optional(sum / count);
+/// Seconds that something took, over all the pixels that it took them for.
+struct Pace {
+  double seconds = 0.0, pixels = 0.0;
+  void add(double more_seconds, double more_pixels) {
+    seconds += more_seconds;
+    pixels += more_pixels;
   }
 };
 
@@ -49,13 +47,15 @@ class Records {
     for (const auto& [position, frame] : stored.frames) {
       pixels.emplace(frame.label, pixels_of(frame));
       keys_.emplace(frame.label, frame.key);
-      if (frame.failure.empty()) render_.add(frame.seconds / pixels_of(frame));
+      if (!frame.failure.empty()) continue;
+      on_frame_[{kRender, frame.label}].add(frame.seconds, pixels_of(frame));
+      anywhere_[kRender].add(frame.seconds, pixels_of(frame));
     }
     for (const auto& [position, point] : stored.points) {
       done_.emplace(std::tuple(point.frame, point.measure, point.configuration), point.state);
       if (point.state != PointState::done) continue;
-      on_frame_[{point.measure, point.frame}].add(point.seconds);
-      a_pixel_[point.measure].add(point.seconds / pixels.at(point.frame));
+      on_frame_[{point.measure, point.frame}].add(point.seconds, pixels.at(point.frame));
+      anywhere_[point.measure].add(point.seconds, pixels.at(point.frame));
     }
   }
 
@@ -70,17 +70,11 @@ class Records {
            (found->second == PointState::done || !retry);
   }
   double render_seconds(const FrameRow& frame) const {
-    return pixels_of(frame) * render_.value().value_or(1e-9 * kRenderNanoseconds);
+    return recorded(kRender, frame).value_or(1e-9 * kRenderNanoseconds * pixels_of(frame));
   }
   /// The seconds of a point, and whether they come from records.
   std::pair<double, bool> seconds(const FrameRow& frame, const Configuration& configuration) const {
-    const std::string measure = configuration.measure_name();
-    if (const auto found = on_frame_.find({measure, frame.label}); found != on_frame_.end()) {
-      return {*found->second.value(), true};
-    }
-    if (const auto found = a_pixel_.find(measure); found != a_pixel_.end()) {
-      return {pixels_of(frame) * *found->second.value(), true};
-    }
+    if (const auto seconds = recorded(configuration.measure_name(), frame)) return {*seconds, true};
     const double nanoseconds = configuration.measure == Measure::cycles ? kCyclesNanoseconds
                                : configuration.datapath == model::LiFormat::exact
                                    ? kCountNanoseconds
@@ -89,12 +83,21 @@ class Records {
   }
 
  private:
+  // At the pace of this frame, else of all.
+  std::optional<double> recorded(const std::string& what, const FrameRow& frame) const {
+    const auto here = on_frame_.find({what, frame.label});
+    const auto anywhere = anywhere_.find(what);
+    if (anywhere == anywhere_.end()) return {};
+    const Pace& pace = here != on_frame_.end() ? here->second : anywhere->second;
+    return pace.seconds / pace.pixels * pixels_of(frame);
+  }
+
   bool is_current_ = false;
   std::map<std::string, std::string> keys_;  // of frames
   std::map<std::tuple<std::string, std::string, Values>, PointState> done_;
-  std::map<std::pair<std::string, std::string>, Mean> on_frame_;
-  std::map<std::string, Mean> a_pixel_;
-  Mean render_;
+  std::map<std::pair<std::string, std::string>, Pace>
+      on_frame_;  // by measure or kRender, and label
+  std::map<std::string, Pace> anywhere_;
 };
 
 }  // namespace
