@@ -27,5 +27,6 @@ Command add_study(CLI::App& program);
 /// Under `study` as well as by themselves.
 Command add_merge(CLI::App& parent);
 Command add_compare(CLI::App& parent);
+Command add_report(CLI::App& parent);
 
 }  // namespace wedgesim::cli

@@ -151,7 +151,7 @@ Command add_study(CLI::App& program) {
   app->footer(
       "Example:\n  wedgesim study paper2 -o out/paper2\n"
       "  wedgesim study merge out/paper2/shard-* -o out/paper2");
-  std::vector<Command> commands{add_merge(*app), add_compare(*app)};
+  std::vector<Command> commands{add_merge(*app), add_compare(*app), add_report(*app)};
   return {app, [arguments] { return run(*arguments); }, std::move(commands)};
 }
 

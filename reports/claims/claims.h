@@ -42,6 +42,11 @@ struct ClaimResult {
 /// \param file  outlives the results
 std::vector<ClaimResult> judge_claims(const ClaimFile& file, const Results& results);
 
+/// "30 to 60 %": what the paper says.
+std::string band_text(const Claim& claim);
+/// "9.0 (4.6 to 22.5)": median, or the largest value where the paper says up to, and percentiles.
+std::string value_text(const Claim& claim, const Measured& measured);
+
 /// The table of all claims.
 Document claims_table(std::span<const ClaimResult> claims);
 /// That table, and each claim with every way it was measured: docs/claims.md.

@@ -6,21 +6,6 @@
 namespace wedgesim::reports {
 namespace {
 
-std::string band_of(const Claim& claim) {
-  return claim.low == claim.high
-             ? fmt::format("{:g} {}", claim.low, claim.unit)
-             : fmt::format("{:g} to {:g} {}", claim.low, claim.high, claim.unit);
-}
-
-std::string value_of(const Claim& claim, const Measured& measured) {
-  if (measured.count == 0) return "-";
-  const int digits = claim.unit == "times" ? 2 : claim.unit == "pixels" ? 0 : 1;
-  const Spread& spread = measured.spread;
-  const double value = claim.most ? measured.most : spread.median;
-  return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", value, digits, spread.low, digits, spread.high,
-                     digits);
-}
-
 Table table_of(std::span<const ClaimResult> claims) {
   Table table;
   for (const char* title : {"claim", "Paper, section", "the paper", "measured", "verdict"}) {
@@ -28,8 +13,8 @@ Table table_of(std::span<const ClaimResult> claims) {
   }
   for (const ClaimResult& result : claims) {
     const Claim& claim = *result.claim;
-    table.add_row({claim.id, claim.paper + ", " + claim.section, band_of(claim),
-                   value_of(claim, result.literal()), std::string(spelling(result.verdict))});
+    table.add_row({claim.id, claim.paper + ", " + claim.section, band_text(claim),
+                   value_text(claim, result.literal()), std::string(spelling(result.verdict))});
   }
   return table;
 }
@@ -48,7 +33,7 @@ Table measured_table(const ClaimResult& result) {
     for (const char* kind : {"linear", "coverage"}) {
       const auto found = result.measured[i].find(kind);
       const Measured measured = found == result.measured[i].end() ? Measured{} : found->second;
-      cells.push_back(value_of(claim, measured));
+      cells.push_back(value_text(claim, measured));
       cells.push_back(measured.count == 0 ? "-" : fmt::format("{:.0f} %", 100 * measured.within));
       cells.push_back(std::to_string(measured.count));
     }
@@ -58,6 +43,21 @@ Table measured_table(const ClaimResult& result) {
 }
 
 }  // namespace
+
+std::string band_text(const Claim& claim) {
+  return claim.low == claim.high
+             ? fmt::format("{:g} {}", claim.low, claim.unit)
+             : fmt::format("{:g} to {:g} {}", claim.low, claim.high, claim.unit);
+}
+
+std::string value_text(const Claim& claim, const Measured& measured) {
+  if (measured.count == 0) return "-";
+  const int digits = claim.unit == "times" ? 2 : claim.unit == "pixels" ? 0 : 1;
+  const Spread& spread = measured.spread;
+  const double value = claim.most ? measured.most : spread.median;
+  return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", value, digits, spread.low, digits, spread.high,
+                     digits);
+}
 
 Document claims_table(std::span<const ClaimResult> claims) {
   Document document;
@@ -80,7 +80,7 @@ Document claims_page(std::span<const ClaimResult> claims, const Results& results
     document.heading(claim.id);
     std::string text =
         fmt::format("{} (Paper {}, section {}). Band: {}. Verdict: {}{}.", claim.says, claim.paper,
-                    claim.section, band_of(claim), spelling(result.verdict),
+                    claim.section, band_text(claim), spelling(result.verdict),
                     result.because.empty() ? "" : "; " + result.because);
     if (!claim.scenes.empty()) text += fmt::format(" Scenes: {}.", fmt::join(claim.scenes, ", "));
     document.paragraph(text);

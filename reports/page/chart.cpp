@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
+#include "reports/page/findings.h"
 #include "reports/page/names.h"
 #include "reports/runner/value.h"
 
@@ -36,6 +38,10 @@ void for_each_row(const Columns& columns, const Chart& chart, Take take) {
       take(i, Row{std::move(x), series_at(chart, measure, i), *y / per});
     }
   }
+}
+
+bool is_setting(const Best& best, const Column* column, const Value& value) {
+  return std::ranges::find(best.settings, std::pair(column, value)) != best.settings.end();
 }
 
 bool is_held(const Held& held, std::size_t point) {
@@ -80,14 +86,17 @@ Held choose_held(const Columns& columns, const Chart& chart) {
     for (const Column* axis : free) values.push_back(axis->values[point]);
     seen[values].emplace(row.x, row.series);
   });
+  const auto best_settings = find_best(columns);
   const std::vector<Value>* best = nullptr;
-  std::pair<std::size_t, std::size_t> most;
+  std::tuple<std::size_t, std::size_t, std::size_t, std::size_t> most;
   for (const auto& [values, cells] : seen) {
-    std::size_t usual = 0;
+    std::size_t usual = 0, of_best = 0, size = 0;
     for (std::size_t k = 0; k < free.size(); ++k) {
       usual += values[k] == usual_value(free[k]->key) ? 1 : 0;
+      of_best += best_settings && is_setting(*best_settings, free[k], values[k]) ? 1 : 0;
+      if (free[k]->key == "size") size = rank_of("size", value_text(values[k]));
     }
-    const std::pair score(cells.size(), usual);
+    const std::tuple score(cells.size(), usual, of_best, size);
     if (best != nullptr && score <= most) continue;
     best = &values;
     most = score;

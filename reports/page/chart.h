@@ -48,7 +48,8 @@ std::vector<Row> rows_of(const Columns& columns, const Chart& chart);
 std::vector<std::string> series_of(const Chart& chart);
 
 /// Chooses what to hold: of all axes that the chart does not draw, the combination of values under
-/// which it has the most x and series; among those the one with the most usual values.
+/// which it has the most x and series; among those the one with the most usual values, then the one
+/// with the most values of the best configuration (findings.h), then the largest frames.
 Held choose_held(const Columns& columns, const Chart& chart);
 
 /// The spread of y for each series and x, x in the order of their column.

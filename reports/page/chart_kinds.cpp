@@ -22,7 +22,10 @@ bool spans_decades(const std::vector<double>& values) {
 bool spans_decades(const std::vector<Line>& lines) {
   std::vector<double> medians;
   for (const Line& line : lines) {
-    for (const auto& [x, spread] : line.at) medians.push_back(spread.median);
+    for (const auto& [x, spread] : line.at) {
+      if (spread.low <= 0.0) return false;  // the band would have no end
+      medians.push_back(spread.median);
+    }
   }
   return spans_decades(medians);
 }

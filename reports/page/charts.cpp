@@ -49,19 +49,14 @@ class ChartMaker {
     return chart;
   }
 
-  const Column* axis(std::string_view key) const {
-    const Column* column = columns_.find(key);
-    return columns_.is_axis(column) ? column : nullptr;
-  }
-
   // One metric by tile size, a line each for the modes.
   void lines_by_tile(const std::string& metric, const std::string& title,
                      const std::string& about) {
     const Column* column = columns_.number(metric);
-    const Column* tile = axis("block.tile");
+    const Column* tile = columns_.axis("block.tile");
     if (column == nullptr || tile == nullptr) return;
-    add(finish_lines(columns_, chart_of("tile-" + metric, title, about, tile, axis("block.mode"),
-                                        {{column, column->label}})));
+    add(finish_lines(columns_, chart_of("tile-" + metric, title, about, tile,
+                                        columns_.axis("block.mode"), {{column, column->label}})));
   }
 
   void by_tile() {
@@ -75,12 +70,12 @@ class ChartMaker {
     lines_by_tile("over_floor", "Accesses over the floor",
                   "1 is what no design can do without: each needed pixel once.");
     const Column* efficiency = columns_.number("cull_efficiency");
-    const Column* tile = axis("block.tile");
+    const Column* tile = columns_.axis("block.tile");
     if (efficiency != nullptr && tile != nullptr) {
       add(finish_lines(
           columns_, chart_of("cull-efficiency", "Culling against a perfect cull",
                              "A perfect cull skips every visit in which no pixel is written.", tile,
-                             axis("block.cull"), {{efficiency, efficiency->label}})));
+                             columns_.axis("block.cull"), {{efficiency, efficiency->label}})));
     }
     lines_by_tile("frames_per_second", "Frames per second, by tile size",
                   "At the block's clock, memory included (Paper II, fig. 8).");
@@ -97,7 +92,7 @@ class ChartMaker {
             columns_, chart_of(fmt::format("{}-{}", metric, column->key),
                                fmt::format("{} against {}", capital(error->label), column->label),
                                "Against the double-precision LI of the trace.", column,
-                               axis("block.mode"), {{error, error->label}})));
+                               columns_.axis("block.mode"), {{error, error->label}})));
       }
     }
   }
@@ -120,11 +115,12 @@ class ChartMaker {
     }
     const Column* traffic = columns_.number("port_gb_per_second");
     for (const char* key : {"memory.dram.preset", "preset", "memory.kind"}) {
-      if (traffic == nullptr || axis(key) == nullptr) continue;
-      add(finish_bars(columns_,
-                      chart_of(fmt::format("traffic-{}", key), "Memory traffic, by memory",
-                               "Bytes at the memory port in a second at the block's clock.",
-                               axis(key), axis("block.mode"), {{traffic, traffic->label}})));
+      if (traffic == nullptr || columns_.axis(key) == nullptr) continue;
+      add(finish_bars(
+          columns_,
+          chart_of(fmt::format("traffic-{}", key), "Memory traffic, by memory",
+                   "Bytes at the memory port in a second at the block's clock.", columns_.axis(key),
+                   columns_.axis("block.mode"), {{traffic, traffic->label}})));
     }
   }
 
@@ -150,12 +146,12 @@ class ChartMaker {
       const Column* x = columns_.number(key);
       const bool pixels = key == std::string_view("pixels");
       if (x == nullptr || x->range() < (pixels ? 10.0 : 100.0)) continue;
-      if (pixels && axis("size") == nullptr) continue;
+      if (pixels && columns_.axis("size") == nullptr) continue;
       add(finish_dots(columns_,
                       chart_of(fmt::format("scaling-{}", key),
                                pixels ? "Cost over resolution" : "Cost over silhouette edges",
                                "Both axes logarithmic; dashed: the fitted power.", x,
-                               axis("block.mode"), {{cost, cost->label}}),
+                               columns_.axis("block.mode"), {{cost, cost->label}}),
                       true));
     }
   }
@@ -166,7 +162,7 @@ class ChartMaker {
     if (time == nullptr || error == nullptr || !error->varies()) return;
     add(finish_dots(columns_,
                     chart_of("error-time", "Error against run time", "Left and low is better.",
-                             time, axis("method"), {{error, error->label}}),
+                             time, columns_.axis("method"), {{error, error->label}}),
                     true));
   }
 

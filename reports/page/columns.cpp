@@ -161,6 +161,11 @@ const Column* Columns::number(std::string_view key) const {
   return column != nullptr && column->is_number() ? column : nullptr;
 }
 
+const Column* Columns::axis(std::string_view key) const {
+  const Column* column = find(key);
+  return is_axis(column) ? column : nullptr;
+}
+
 bool Columns::is_axis(const Column* column) const {
   return std::ranges::find(axes_, column) != axes_.end();
 }

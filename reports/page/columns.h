@@ -50,6 +50,8 @@ class Columns {
   /// study's tables tell apart. Over all other frames medians are taken.
   const std::vector<const Column*>& axes() const { return axes_; }
   bool is_axis(const Column* column) const;
+  /// Null if the study has no such axis.
+  const Column* axis(std::string_view key) const;
 
  private:
   Column& add(std::string key, Column::Kind kind);

@@ -26,12 +26,6 @@ struct Best {
 /// the narrowest.
 std::optional<Best> find_best(const Columns& columns);
 
-/// Ratios of a metric between points that differ in one axis alone, `to` over `from`.
-/// \param at  only points with this value of this column, if it is not null
-std::vector<double> paired_ratios(const Columns& columns, const Column& metric, const Column& axis,
-                                  const Value& from, const Value& to,
-                                  const std::pair<const Column*, Value>& at = {});
-
 /// Up to `most` sentences, the weightiest first, each with its numbers.
 std::vector<std::string> find_findings(const Columns& columns, std::size_t most = 3);
 

@@ -163,12 +163,30 @@ class FrameMaps {
   std::vector<Counted> counted_;
 };
 
+double pixels_of(const FrameRow& frame) {
+  return number_of(find_value(frame.parameters, "width")).value_or(0.0) *
+         number_of(find_value(frame.parameters, "height")).value_or(0.0);
+}
+
 bool can_be_drawn(const FrameRow& frame, const std::filesystem::path& folder) {
-  const auto width = number_of(find_value(frame.parameters, "width"));
-  const auto height = number_of(find_value(frame.parameters, "height"));
-  return frame.failure.empty() && width && height &&
-         *width * *height <= static_cast<double>(kMostPixels) &&
+  return frame.failure.empty() && pixels_of(frame) <= static_cast<double>(kMostPixels) &&
          std::filesystem::is_regular_file(trace_path(folder, frame.label));
+}
+
+// The largest frame of each scene, the first of equals.
+std::vector<const FrameRow*> frames_to_draw(const Columns& columns,
+                                            const std::filesystem::path& folder) {
+  std::vector<const FrameRow*> frames;
+  for (const FrameRow& frame : columns.results().frames) {
+    if (!can_be_drawn(frame, folder)) continue;
+    const auto known = std::ranges::find(frames, frame.scene, &FrameRow::scene);
+    if (known == frames.end()) {
+      if (frames.size() < kMostFrames) frames.push_back(&frame);
+    } else if (pixels_of(frame) > pixels_of(**known)) {
+      *known = &frame;
+    }
+  }
+  return frames;
 }
 
 // Each mode and tile size once, as the charts by tile size hold the other settings.
@@ -197,11 +215,8 @@ std::vector<model::CountConfig> configs_of(const Columns& columns) {
 void add_heat_maps(const Columns& columns, const std::filesystem::path& folder, Page& page) {
   const std::vector<model::CountConfig> configs = configs_of(columns);
   if (configs.empty()) return;
-  std::set<std::string> scenes;
-  for (const FrameRow& frame : columns.results().frames) {
-    if (scenes.size() == kMostFrames) return;
-    if (scenes.contains(frame.scene) || !can_be_drawn(frame, folder)) continue;
-    scenes.insert(frame.scene);
+  for (const FrameRow* drawn : frames_to_draw(columns, folder)) {
+    const FrameRow& frame = *drawn;
     std::vector<HeatMap> maps = FrameMaps(folder, frame.label, configs).draw();
     std::ranges::move(maps, std::back_inserter(page.maps));
     const std::filesystem::path shaded = folder / (frame.label + "_shaded.png");

@@ -88,6 +88,8 @@ Name name_of(std::string_view key) {
     name.unit = "bits";
   }
   if (key.starts_with("block.")) name.label = without_underscores(key.substr(6));
+  if (key.ends_with("cache_bytes")) name.label = without_underscores(key.substr(0, key.size() - 6));
+  std::ranges::replace(name.label, '.', ' ');
   if (key.ends_with("bytes")) name.unit = "bytes";
   if (key.ends_with("cycles")) name.unit = "cycles";
   if (key.ends_with("hit_rate")) name.better = Better::more;

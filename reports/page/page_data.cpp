@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "reports/page/names.h"
 #include "reports/runner/value.h"
@@ -78,15 +79,13 @@ void add_identity(const Columns& columns, Json& list) {
   Column state{"state", "state", "", Column::Kind::frame, Better::neither, {}, {}};
   Column message{"message", "message", "", Column::Kind::frame, Better::neither, {}, {}};
   Column key{"key", "key", "", Column::Kind::frame, Better::neither, {}, {}};
-  Column seconds{"seconds", "measured in", "s", Column::Kind::frame, Better::neither, {}, {}};
   for (const PointRow& point : columns.results().points) {
     frame.values.emplace_back(point.frame);
     state.values.emplace_back(std::string(word_of(point.state)));
     message.values.emplace_back(point.message);
     key.values.emplace_back(point.key.substr(0, 12));  // enough to find it in the files
-    seconds.values.emplace_back(std::round(1e4 * point.seconds) / 1e4);
   }
-  for (const Column* column : {&frame, &state, &message, &key, &seconds}) {
+  for (const Column* column : {&frame, &state, &message, &key}) {
     list.push_back(column_json(*column, "point"));
   }
 }
@@ -111,6 +110,18 @@ Json table_json(const Columns& columns) {
     add(key);
   }
   keys.emplace_back("state");
+  return keys;
+}
+
+// Metrics that the table or a chart shows.
+std::set<std::string> shown_keys(const Json& table, const std::vector<Chart>& charts) {
+  std::set<std::string> keys(table.begin(), table.end());
+  for (const Chart& chart : charts) {
+    for (const Column* column : {chart.x, chart.series, chart.per}) {
+      if (column != nullptr) keys.insert(column->key);
+    }
+    for (const Measure& measure : chart.measures) keys.insert(measure.column->key);
+  }
   return keys;
 }
 
@@ -177,7 +188,11 @@ Json maps_json(const std::vector<HeatMap>& maps, const std::vector<FramePicture>
 Json page_data(const Page& page, const Columns& columns, const std::vector<Chart>& charts) {
   Json list = Json::array();
   add_identity(columns, list);
+  const Json table = table_json(columns);
+  const bool whole = columns.points() <= kMostWholePoints;
+  const std::set<std::string> shown = shown_keys(table, charts);
   for (const Column& column : columns.all()) {
+    if (!whole && column.kind == Column::Kind::metric && !shown.contains(column.key)) continue;
     list.push_back(column_json(column, kind_text(column.kind)));
     if (column.key != "scene" && !columns.is_axis(&column)) continue;
     list.back()["distinct"] = list_json(column.distinct);
@@ -186,10 +201,15 @@ Json page_data(const Page& page, const Columns& columns, const std::vector<Chart
   for (const Column* axis : columns.axes()) axes.push_back(axis->key);
   Json drawn = Json::array();
   for (const Chart& chart : charts) drawn.push_back(chart_json(chart));
-  return {{"name", page.results.study.name}, {"points", columns.points()},
-          {"columns", std::move(list)},      {"axes", std::move(axes)},
-          {"table", table_json(columns)},    {"config", chart_config()},
-          {"charts", std::move(drawn)},      {"maps", maps_json(page.maps, page.pictures)}};
+  return {{"name", page.results.study.name},
+          {"whole", whole},
+          {"points", columns.points()},
+          {"columns", std::move(list)},
+          {"axes", std::move(axes)},
+          {"table", table},
+          {"config", chart_config()},
+          {"charts", std::move(drawn)},
+          {"maps", maps_json(page.maps, page.pictures)}};
 }
 
 }  // namespace wedgesim::reports::page

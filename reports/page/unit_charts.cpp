@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 
+#include "model/block/block.h"
 #include "reports/page/caption.h"
 #include "reports/page/chart_spec.h"
 #include "reports/page/names.h"
@@ -13,8 +14,6 @@
 namespace wedgesim::reports::page {
 namespace {
 
-constexpr std::array<const char*, 7> kPipeline{"fetch",  "wedge_setup", "tile_walk", "tile_cull",
-                                               "z_read", "penumbra",    "li_update"};
 constexpr std::array<const char*, 3> kStates{"busy", "stalled", "starved"};
 constexpr std::size_t kRowHeight = 28;  // pixels
 constexpr const char* kSuffix = ".busy_cycles";
@@ -28,7 +27,7 @@ std::vector<std::string> units_of(const Columns& columns) {
     }
   }
   std::ranges::stable_sort(units, {}, [](const std::string& unit) {
-    return std::ranges::find(kPipeline, unit) - kPipeline.begin();
+    return std::ranges::find(model::kBlockUnits, unit) - model::kBlockUnits.begin();
   });
   return units;
 }
@@ -100,30 +99,58 @@ Chart states_chart(const Columns& columns, const std::vector<std::string>& units
   return chart;
 }
 
-// How busy each unit is (rows: values of an axis).
-std::optional<Chart> busy_chart(const Columns& columns, const std::vector<std::string>& units,
-                                const Column* axis) {
+// The most that any point spends of its cycles; 0 if there is no such column.
+double most_share(const Columns& columns, const Column* part) {
+  const Column* cycles = columns.number("cycles");
+  double most = 0.0;
+  for (std::size_t i = 0; part != nullptr && i < columns.points(); ++i) {
+    const double all = cycles->number(i).value_or(0.0);
+    if (all > 0.0) most = std::max(most, part->number(i).value_or(0.0) / all);
+  }
+  return most;
+}
+
+// The parts of the critical path that are worth a column, along the pipeline: a unit's work, its
+// memory, the queue behind it.
+std::vector<Measure> path_parts(const Columns& columns) {
+  constexpr double kLeastShare = 0.02;
+  std::vector<Measure> parts;
+  for (const std::string_view unit : model::kBlockUnits) {
+    for (const auto& [prefix, suffix] :
+         {std::pair("", ""), {"memory.", " memory"}, {"queue.", " queue"}}) {
+      const Column* column = columns.number(fmt::format("path.{}{}", prefix, unit));
+      if (most_share(columns, column) < kLeastShare) continue;
+      const std::string name = fmt::format("{}{}", unit, suffix);
+      parts.push_back({column, name, name});
+    }
+  }
+  return parts;
+}
+
+// What the frame's end waited for (rows: values of an axis).
+std::optional<Chart> bottleneck_chart(const Columns& columns, const std::vector<Measure>& parts,
+                                      const Column* axis) {
   Chart chart;
   chart.id = "bottleneck-" + axis->key;
   chart.title = "Bottleneck, by " + axis->label;
-  chart.about = "How much of the time a unit is busy; the darkest of a row holds the others up.";
+  chart.about =
+      "Part of the critical path: what the frame's last cycle waited for, unit by unit, memory and "
+      "queues apart.";
   chart.series = axis;
-  for (const std::string& unit : units) {
-    chart.measures.push_back({columns.number(unit + kSuffix), unit, unit});
-  }
+  chart.measures = parts;
   chart.per = columns.number("cycles");
   chart.held = choose_held(columns, chart);
   Means means = means_of(columns, chart);
   if (means.size() < 2) return std::nullopt;
-  std::vector<std::string> parts;
+  std::vector<std::string> words;
   for (const Value& value : axis->distinct) {
     const auto& of_value = means[value_text(value)];
     if (of_value.empty()) continue;
     const auto [unit, share] = most_of(of_value);
-    parts.push_back(
+    words.push_back(
         fmt::format("{} with {} ({})", unit, setting_text(*axis, value), percent_text(share)));
   }
-  chart.caption = "Busiest: " + listed(parts) + ".";
+  chart.caption = "Most: " + listed(words) + ".";
   chart.spec = new_spec(chart.title + ". " + chart.caption);
   const std::vector<std::string> rows = series_of(chart);
   Json& spec = chart.spec;
@@ -135,7 +162,9 @@ std::optional<Chart> busy_chart(const Columns& columns, const std::vector<std::s
     "x": {"field": "x", "type": "nominal", "title": null,
           "axis": {"labelAngle": -30, "orient": "top"}},
     "y": {"field": "s", "type": "nominal"}})json");
-  spec["encoding"]["x"]["scale"] = {{"domain", units}};
+  std::vector<std::string> names;
+  for (const Measure& part : parts) names.push_back(part.at);
+  spec["encoding"]["x"]["scale"] = {{"domain", names}};
   spec["encoding"]["y"]["scale"] = {{"domain", rows}};
   spec["encoding"]["y"]["title"] = axis_title(axis->label, axis->unit);
   spec["layer"] = Json::parse(R"json([
@@ -162,11 +191,13 @@ std::vector<Chart> unit_charts(const Columns& columns) {
   const std::vector<std::string> units = units_of(columns);
   if (units.empty() || columns.number("cycles") == nullptr) return {};
   std::vector<Chart> charts{states_chart(columns, units)};
+  const std::vector<Measure> parts = path_parts(columns);
+  if (parts.size() < 2) return charts;
   constexpr std::size_t kMostCharts = 4;
   constexpr std::size_t kMostRows = 16;
   for (const Column* axis : columns.axes()) {
     if (charts.size() == kMostCharts || axis->distinct.size() > kMostRows) continue;
-    if (auto chart = busy_chart(columns, units, axis)) charts.push_back(*std::move(chart));
+    if (auto chart = bottleneck_chart(columns, parts, axis)) charts.push_back(*std::move(chart));
   }
   return charts;
 }

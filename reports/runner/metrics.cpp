@@ -59,7 +59,7 @@ const std::vector<OfCycles>& cycles_metrics() {
       {"z", "", "The z method taken", [](const auto& r) -> Value { return z_name(r.z_fail); }},
       {"cycles", "cycles", "From the first fetch to the last write", [](const auto& r) { return integer(r.result.cycles); }},
       {"frames_per_second", "1/s", "At the block's clock", [](const auto& r) -> Value { return 1.0 / seconds_a_frame(r); }},
-      {"bottleneck", "", "The unit that is longest busy or waiting for memory", [](const auto& r) -> Value { return r.result.bottleneck().name; }},
+      {"bottleneck", "", "What the frame's last cycle waited for longest: a unit, its memory, or the queue behind it", [](const auto& r) -> Value { return r.result.bottleneck().name; }},
       {"port_bytes", "bytes", "Lines at the memory port", [](const auto& r) { return integer(r.result.port_bytes()); }},
       {"port_gb_per_second", "GB/s", "port_bytes at the block's clock", [](const auto& r) -> Value { return static_cast<double>(r.result.port_bytes()) / seconds_a_frame(r) / 1e9; }},
       {"datapath_bytes", "bytes", "Counted words at their widths, which no cache saves", [](const auto& r) { return integer(r.datapath_bytes); }},
@@ -114,6 +114,16 @@ void take_units(const model::BlockResult& result, const Take& take) {
   }
 }
 
+// "path.z_read", "path.memory.z_read"
+void take_path(const model::BlockResult& result, const Take& take) {
+  for (const model::PathShare& part : result.critical_path) {
+    std::string name = "path." + part.name;
+    std::ranges::replace(name, ':', '.');
+    take({std::move(name), "cycles", "Cycles that the frame's end waited for it"},
+         integer(part.cycles));
+  }
+}
+
 void take_memory(const model::BlockResult& result, const Take& take) {
   for (const model::CacheResult& cache : result.caches) {
     const std::string name = "cache." + cache.name + '.';
@@ -145,6 +155,7 @@ void take_all(const CyclesReport& report, const Take& take) {
   take_metrics(cycles_metrics(), report, take);
   take_counters(report.counters(), take);
   take_units(report.result, take);
+  take_path(report.result, take);
   take_memory(report.result, take);
 }
 

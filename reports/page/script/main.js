@@ -22,9 +22,17 @@ function startTheme() {
 
 // On paper two charts stand side by side; their letters keep their size.
 function startPrinting() {
-  const paperWidth = 330;
-  addEventListener("beforeprint", () => views.forEach((view) => view.width(paperWidth).run()));
-  addEventListener("afterprint", () => dispatchEvent(new Event("resize")));
+  const width = 330;
+  const height = 170;
+  const heights = new Map();
+  addEventListener("beforeprint", () => views.forEach((view) => {
+    heights.set(view, view.height());
+    view.width(width).height(Math.min(height, view.height())).run();
+  }));
+  addEventListener("afterprint", () => {
+    views.forEach((view) => view.height(heights.get(view)).run());
+    dispatchEvent(new Event("resize"));
+  });
 }
 
 async function start() {

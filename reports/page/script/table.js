@@ -82,7 +82,8 @@ function detailList(heading, kind, point) {
 function detailsRow(point) {
   const cell = make("td", { colspan: table.keys.length + 1, class: "details" },
     ...detailList("Point", "point", point), ...detailList("Frame", "frame", point),
-    ...detailList("Effective configuration", "setting", point), ...detailList("Results", "metric", point));
+    ...detailList("Effective configuration", "setting", point), ...detailList("Results", "metric", point),
+    ...(data.whole ? [] : ["More metrics are in the files below."]));
   return make("tr", { class: "details" }, cell);
 }
 
@@ -112,6 +113,8 @@ function showTable() {
   document.getElementById("table").replaceChildren(make("table", {}, head, body));
   const of = table.points.length === data.points ? "" : ` of ${textOf(data.points)}`;
   document.getElementById("rows").textContent = `${textOf(table.points.length)}${of} points`;
+  document.getElementById("paper").textContent = pages === 1 ? "" :
+    `Here are points ${textOf(first + 1)} to ${textOf(first + points.length)} of ${textOf(table.points.length)}.`;
   showPager(pages, first, points.length);
 }
 

@@ -52,6 +52,16 @@ TEST(PageData, TheTableShowsWhatDiffers) {
   EXPECT_TRUE(has("cycles"));
 }
 
+TEST(PageData, OfManyPointsOnlyWhatIsShown) {
+  const Results whole = tests::large_results(kMostWholePoints);
+  EXPECT_NO_THROW(column(data_of(whole), "unit.count_3"));
+  const Results many = tests::large_results(kMostWholePoints + 1);
+  const Json data = data_of(many);
+  EXPECT_THROW(column(data, "unit.count_3"), std::out_of_range);
+  EXPECT_NO_THROW(column(data, "z_reads"));
+  EXPECT_NO_THROW(column(data, "unit.key_3"));
+}
+
 TEST(PageData, EqualPicturesAreStoredOnce) {
   const Results results = tests::counted_results();
   const std::vector<HeatMap> maps = tests::sample_maps(results);

@@ -148,9 +148,10 @@ Results timed_results() {
             m["bottleneck"] = std::string(preset[0] == 'd' ? "z_read" : "penumbra");
             m["mismatched"] = integer(0.0);
             double busy = 0.1;
-            for (const char* unit : {"fetch", "wedge_setup", "tile_walk", "tile_cull", "z_read",
-                                     "penumbra", "li_update"}) {
+            for (const char* unit : {"wedge_fetch", "wedge_setup", "tile_walk", "tile_cull",
+                                     "z_read", "penumbra", "li_update"}) {
               const std::string name = unit;
+              m["path." + name] = integer(busy / 3.5 * cycles);
               m[name + ".busy_cycles"] = integer(busy * cycles);
               m[name + ".stalled_cycles"] = integer((0.9 - busy) * 0.6 * cycles);
               m[name + ".starved_cycles"] = integer((1.0 - busy - (0.9 - busy) * 0.6) * cycles);
