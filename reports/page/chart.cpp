@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -44,6 +45,26 @@ bool is_setting(const Best& best, const Column* column, const Value& value) {
   return std::ranges::find(best.settings, std::pair(column, value)) != best.settings.end();
 }
 
+// Over the frames' size: the scene that has most sizes, unless all have the same. Over another of
+// their parameters: the size that has most of its values.
+std::optional<std::pair<const Column*, Value>> choose_frames(const Columns& columns,
+                                                             const Chart& chart) {
+  if (chart.x == nullptr || chart.x->kind != Column::Kind::frame) return std::nullopt;
+  const bool over_size = chart.x->key == "pixels" || chart.x->key == "size";
+  const Column* by = columns.find(over_size ? "scene" : "size");
+  if (by == nullptr || by == chart.x || by == chart.series || !by->varies()) return std::nullopt;
+  std::map<Value, std::set<Value>> values;
+  for_each_row(columns, chart,
+               [&](std::size_t point, const Row& row) { values[by->values[point]].insert(row.x); });
+  if (values.empty()) return std::nullopt;
+  const auto size_of = [](const auto& entry) { return entry.second.size(); };
+  const auto most = std::ranges::max_element(values, {}, size_of);
+  const bool same = std::ranges::all_of(
+      values, [&most](const auto& entry) { return entry.second == most->second; });
+  if (same && over_size) return std::nullopt;
+  return std::pair(by, most->first);
+}
+
 bool is_held(const Held& held, std::size_t point) {
   return std::ranges::all_of(
       held, [point](const auto& hold) { return hold.first->values[point] == hold.second; });
@@ -84,7 +105,7 @@ Held choose_held(const Columns& columns, const Chart& chart) {
   for_each_row(columns, chart, [&](std::size_t point, const Row& row) {
     std::vector<Value> values;
     for (const Column* axis : free) values.push_back(axis->values[point]);
-    seen[values].emplace(row.x, row.series);
+    seen[values].emplace(chart.x == nullptr ? Value() : row.x, row.series);
   });
   const auto best_settings = find_best(columns);
   const std::vector<Value>* best = nullptr;
@@ -105,6 +126,7 @@ Held choose_held(const Columns& columns, const Chart& chart) {
   for (std::size_t k = 0; best != nullptr && k < free.size(); ++k) {
     held.emplace_back(free[k], (*best)[k]);
   }
+  if (const auto frames = choose_frames(columns, chart)) held.push_back(*frames);
   return held;
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -49,7 +50,8 @@ std::vector<std::string> series_of(const Chart& chart);
 
 /// Chooses what to hold: of all axes that the chart does not draw, the combination of values under
 /// which it has the most x and series; among those the one with the most usual values, then the one
-/// with the most values of the best configuration (findings.h), then the largest frames.
+/// with the most values of the best configuration (findings.h), then the largest frames. Over a
+/// parameter of frames also those frames that differ in it alone.
 Held choose_held(const Columns& columns, const Chart& chart);
 
 /// The spread of y for each series and x, x in the order of their column.
@@ -64,6 +66,9 @@ std::vector<Line> lines_of(const Columns& columns, const Chart& chart);
 std::optional<Chart> finish_lines(const Columns& columns, Chart chart);  // median and band over x
 std::optional<Chart> finish_bars(const Columns& columns, Chart chart);   // median and range of each
 std::optional<Chart> finish_dots(const Columns& columns, Chart chart, bool log);  // every point
+
+/// Cost over "pixels" or "wedges", not finished; nothing if the study varies them too little.
+std::optional<Chart> scaling_chart(const Columns& columns, std::string_view key);
 
 /// What all specifications have in common, as Vega-Lite's "config".
 Json chart_config();

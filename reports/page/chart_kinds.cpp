@@ -90,7 +90,7 @@ std::optional<Chart> finish_lines(const Columns& columns, Chart chart) {
 std::optional<Chart> finish_bars(const Columns& columns, Chart chart) {
   chart.held = choose_held(columns, chart);
   const std::vector<Row> rows = rows_of(columns, chart);
-  if (!has_two(rows, 1) || rows.size() < 2) return std::nullopt;
+  if (!has_two(rows, 2)) return std::nullopt;
   chart.caption = bar_caption(columns, chart);
   const std::vector<std::string> series = series_of(chart);
   Json x = x_channel(*chart.x, false);

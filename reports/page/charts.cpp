@@ -139,20 +139,9 @@ class ChartMaker {
   }
 
   void scaling() {
-    const Column* cost = columns_.number("cycles");
-    if (cost == nullptr) cost = columns_.number("accesses");
-    if (cost == nullptr) return;
     for (const char* key : {"pixels", "wedges"}) {
-      const Column* x = columns_.number(key);
-      const bool pixels = key == std::string_view("pixels");
-      if (x == nullptr || x->range() < (pixels ? 10.0 : 100.0)) continue;
-      if (pixels && columns_.axis("size") == nullptr) continue;
-      add(finish_dots(columns_,
-                      chart_of(fmt::format("scaling-{}", key),
-                               pixels ? "Cost over resolution" : "Cost over silhouette edges",
-                               "Both axes logarithmic; dashed: the fitted power.", x,
-                               columns_.axis("block.mode"), {{cost, cost->label}}),
-                      true));
+      if (auto chart = scaling_chart(columns_, key))
+        add(finish_dots(columns_, *std::move(chart), true));
     }
   }
 
@@ -186,6 +175,26 @@ class ChartMaker {
 };
 
 }  // namespace
+
+std::optional<Chart> scaling_chart(const Columns& columns, std::string_view key) {
+  const bool pixels = key == "pixels";
+  const Column* cost = columns.number("cycles");
+  if (cost == nullptr) cost = columns.number("accesses");
+  const Column* x = columns.number(key);
+  // Less says little of a slope: it may come from what else differs between frames.
+  const double least_range = pixels ? 10.0 : 100.0;
+  if (cost == nullptr || x == nullptr || x->range() < least_range) return std::nullopt;
+  if (pixels && columns.axis("size") == nullptr) return std::nullopt;
+  Chart chart;
+  chart.id = fmt::format("scaling-{}", key);
+  chart.title = pixels ? "Cost over resolution" : "Cost over silhouette edges";
+  chart.about = "Both axes logarithmic; dashed: the fitted power.";
+  chart.x = x;
+  chart.series = columns.axis("block.mode");
+  chart.measures = {{cost, cost->label}};
+  chart.held = choose_held(columns, chart);
+  return chart;
+}
 
 std::vector<Chart> make_charts(const Columns& columns) { return ChartMaker(columns).make(); }
 

@@ -206,7 +206,7 @@ std::vector<std::string> setting_findings(const Columns& columns) {
   std::vector<std::pair<double, std::string>> weighted;
   for (const Column* axis : columns.axes()) {
     if (axis->key == "block.mode" || axis->key == "block.cull") continue;
-    if (axis->key == "measure" || axis->key == "size") continue;
+    if (axis->key == "measure" || axis->key == "size" || axis->key == "datapath") continue;
     if (auto effect = effect_of(columns, *metric, *axis)) weighted.push_back(*std::move(effect));
   }
   std::ranges::sort(weighted, std::greater());

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 
 #include "reports/page/caption.h"
+#include "reports/page/chart.h"
 #include "reports/page/effects.h"
 #include "reports/page/names.h"
 #include "reports/runner/value.h"
@@ -15,35 +17,30 @@
 namespace wedgesim::reports::page {
 namespace {
 
-// What a slope is stated of: less may come from what else differs between frames.
-constexpr double kLeastRange = 10.0;
-constexpr double kLeastEdgeRange = 100.0;
-
-// How cost grows with the frame's size and edges.
+// How cost grows with the frames' size and edges.
 std::vector<std::string> slope_findings(const Columns& columns) {
   std::vector<std::string> found;
-  const Column* cost = columns.number("cycles");
-  if (cost == nullptr) cost = columns.number("accesses");
-  if (cost == nullptr) return found;
   for (const char* key : {"pixels", "wedges"}) {
-    const Column* x = columns.number(key);
-    if (x == nullptr || x->range() < (x->key == "wedges" ? kLeastEdgeRange : kLeastRange)) {
-      continue;
+    const auto chart = scaling_chart(columns, key);
+    if (!chart) continue;
+    std::map<std::string, std::vector<std::pair<double, double>>> points;
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (const Row& row : rows_of(columns, *chart)) {
+      const double x = number_of(row.x).value_or(0.0);
+      points[row.series].emplace_back(x, row.y);
+      least = std::min(least, x);
+      most = std::max(most, x);
     }
-    if (x->key == "pixels" && columns.axis("size") == nullptr) continue;
-    std::vector<std::pair<double, double>> points;
-    for (std::size_t i = 0; i < columns.points(); ++i) {
-      if (x->number(i) && cost->number(i)) points.emplace_back(*x->number(i), *cost->number(i));
+    std::vector<std::string> slopes;
+    for (const auto& [series, of_series] : points) {
+      if (const auto slope = log_slope(of_series)) {
+        slopes.push_back(fmt::format("{:.2f}{}{}", *slope, series.empty() ? "" : " in ", series));
+      }
     }
-    const auto slope = log_slope(points);
-    if (!slope) continue;
-    found.push_back(
-        fmt::format("{} grow with the {} to the power {:.2f}, from {} to {} of them: {}.",
-                    columns.number("cycles") == cost ? "Cycles" : "Accesses", x->label, *slope,
-                    value_text(x->distinct.front()), value_text(x->distinct.back()),
-                    *slope > 1.05   ? "more than in proportion"
-                    : *slope < 0.95 ? "less than in proportion"
-                                    : "in proportion"));
+    if (slopes.empty()) continue;
+    found.push_back(fmt::format("{} grow with the {}, from {} to {}, to the power {}.",
+                                capital(chart->measures.front().column->label), chart->x->label,
+                                number_text(least), number_text(most), listed(slopes)));
   }
   return found;
 }
@@ -79,6 +76,41 @@ std::vector<std::string> bottleneck_findings(const Columns& columns) {
   return {fmt::format("The bottleneck is {}.", listed(parts))};
 }
 
+// The most wrong pixels of any frame at each width of a format, all other widths as usual.
+std::map<Value, double> wrong_pixels(const Columns& columns, const Column& format,
+                                     const Column& wrong) {
+  Chart chart;
+  chart.x = &format;
+  chart.measures = {{&wrong, ""}};
+  chart.held = choose_held(columns, chart);
+  std::erase_if(chart.held,
+                [](const auto& hold) { return hold.first->kind != Column::Kind::setting; });
+  std::map<Value, double> most;
+  for (const Row& row : rows_of(columns, chart)) {
+    double& pixels = most[row.x];
+    pixels = std::max(pixels, row.y);
+  }
+  return most;
+}
+
+std::string width_text(const Column& format, const std::map<Value, double>& wrong) {
+  // The narrowest from which on none is wrong.
+  auto enough = wrong.end();
+  while (enough != wrong.begin() && std::prev(enough)->second == 0.0) --enough;
+  if (enough == wrong.end()) {
+    return fmt::format("{}: {} are not enough, up to {} pixels of a frame go wrong", format.label,
+                       value_text(wrong.rbegin()->first), number_text(wrong.rbegin()->second));
+  }
+  if (enough == wrong.begin()) {
+    return fmt::format("{}: {}, the fewest tried, are enough", format.label,
+                       value_text(enough->first));
+  }
+  const auto below = std::prev(enough);
+  return fmt::format("{}: {} are enough, with {} pixels go wrong, up to {} in a frame",
+                     format.label, value_text(enough->first), value_text(below->first),
+                     number_text(below->second));
+}
+
 // The narrowest width of each format with every pixel within its tolerance.
 std::vector<std::string> width_findings(const Columns& columns) {
   const Column* wrong = columns.number("mismatched");
@@ -86,30 +118,11 @@ std::vector<std::string> width_findings(const Columns& columns) {
   std::vector<std::string> parts;
   for (const Column* format : columns.axes()) {
     if (!format->key.starts_with("formats.") || !format->is_number()) continue;
-    std::map<Value, double> worst;
-    for (std::size_t i = 0; i < columns.points(); ++i) {
-      if (const auto pixels = wrong->number(i)) {
-        double& most = worst[format->values[i]];
-        most = std::max(most, *pixels);
-      }
-    }
-    const auto enough =
-        std::ranges::find_if(worst, [](const auto& entry) { return entry.second == 0.0; });
-    // Other widths may be at fault at every value of this one: then it says nothing.
-    if (enough == worst.end()) {
-      continue;
-    } else if (enough == worst.begin()) {
-      parts.push_back(fmt::format("{}: {} bits, the fewest tried, are enough", format->label,
-                                  value_text(enough->first)));
-    } else {
-      const auto below = std::prev(enough);
-      parts.push_back(fmt::format("{}: {} bits are enough, with {} up to {} pixels are wrong",
-                                  format->label, value_text(enough->first),
-                                  value_text(below->first), number_text(below->second)));
-    }
+    const auto pixels = wrong_pixels(columns, *format, *wrong);
+    if (pixels.size() > 1) parts.push_back(width_text(*format, pixels));
   }
   if (parts.empty()) return {};
-  return {capital(fmt::format("{}", fmt::join(parts, "; "))) + "."};
+  return {fmt::format("Bits. {}.", capital(fmt::format("{}", fmt::join(parts, "; "))))};
 }
 
 // What even the best leaves to be saved.

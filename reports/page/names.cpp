@@ -84,8 +84,8 @@ Name name_of(std::string_view key) {
   Name name{without_underscores(key), "", Better::neither};
   std::ranges::replace(name.label, '.', ' ');
   if (key.starts_with("formats.")) {
-    name.label = without_underscores(key.substr(8)) + " width";
-    name.unit = "bits";
+    name.label = without_underscores(key.substr(8));
+    name.unit = name.label.ends_with("bits") ? "" : "bits";
   }
   if (key.starts_with("block.")) name.label = without_underscores(key.substr(6));
   if (key.ends_with("cache_bytes")) name.label = without_underscores(key.substr(0, key.size() - 6));
@@ -117,6 +117,9 @@ Value usual_value(std::string_view key) {
   if (key == "block.share") return word(usual.share);
   if (key == "block.z") return word(usual.z);
   if (key == "block.tile_build") return word(usual.tile_build);
+  if (key == "depth") return std::string("unorm24");
+  if (key == "kind") return std::string("coverage");
+  if (key == "light") return std::string("rect");
   return {};
 }
 

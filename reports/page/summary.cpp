@@ -64,6 +64,7 @@ std::string best_html(const Columns& columns) {
   if (!best) return "";
   std::string html = "<div class=\"best\">\n<h3>Best configuration</h3>\n<dl>\n";
   for (const auto& [column, value] : best->settings) {
+    if (std::holds_alternative<std::monostate>(value)) continue;  // means nothing here
     html += fmt::format("<div>{}{}</div>\n", element("dt", column->label),
                         element("dd", value_text(value)));
   }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kStates{"busy", "stalled", "starved"};
 constexpr std::size_t kRowHeight = 28;  // pixels
+constexpr int kSlantedLabel = 64;       // pixels that the last one reaches beyond its column
 constexpr const char* kSuffix = ".busy_cycles";
 
 // Along the pipeline; units that it does not name last.
@@ -156,6 +157,7 @@ std::optional<Chart> bottleneck_chart(const Columns& columns, const std::vector<
   Json& spec = chart.spec;
   spec["usermeta"]["symbols"] = "none";
   spec["height"] = kRowHeight * rows.size();
+  spec["padding"] = {{"left", 4}, {"top", 4}, {"right", kSlantedLabel}, {"bottom", 4}};
   spec["transform"] = Json::parse(R"json([
     {"aggregate": [{"op": "mean", "field": "y", "as": "share"}], "groupby": ["x", "s"]}])json");
   spec["encoding"] = Json::parse(R"json({

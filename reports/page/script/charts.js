@@ -29,7 +29,8 @@ function rowsOf(chart) {
 
 function heldText(chart, isEmpty) {
   if (isEmpty) return "No point with this selection.";
-  const parts = chart.held.map(([key, value]) => {
+  const said = chart.held.filter(([key, value]) => value !== null || selection.chosen.has(key));
+  const parts = said.map(([key, value]) => {
     const values = selection.chosen.has(key) ? [...selection.chosen.get(key)] : [value];
     return `${columns.get(key).label} ${values.map(textOf).join(" or ")}`;
   });

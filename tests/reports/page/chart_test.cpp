@@ -34,7 +34,7 @@ TEST(Charts, OfAStudyInTime) {
   const std::vector<Chart> charts = make_charts(columns);
   for (const char* id :
        {"tile-frames_per_second", "hits-z_read.cache_bytes", "traffic-memory.dram.preset",
-        "scaling-pixels", "scaling-wedges", "unit-states", "bottleneck-memory.dram.preset"}) {
+        "scaling-pixels", "unit-states", "bottleneck-memory.dram.preset"}) {
     EXPECT_TRUE(has(charts, id)) << id;
   }
   EXPECT_FALSE(has(charts, "tile-z_reads"));
@@ -87,6 +87,27 @@ TEST(Charts, StateTheFittedSlope) {
   const auto scaling = std::ranges::find(charts, "scaling-pixels", &Chart::id);
   EXPECT_NE(scaling->caption.find("single-pass 1.00 and three-pass 1.00"), std::string::npos)
       << scaling->caption;
+}
+
+// A chart over edges draws frames of one size, one over sizes those of one scene.
+TEST(Charts, DoNotMixFramesThatDifferInMoreThanTheirX) {
+  Results results = tests::timed_results();
+  EXPECT_FALSE(has(make_charts(Columns(results)), "scaling-wedges"));
+  for (FrameRow& frame : results.frames) {
+    frame.parameters["width"] = std::int64_t{640};
+    frame.parameters["height"] = std::int64_t{480};
+  }
+  const Columns of_one_size(results);
+  EXPECT_TRUE(has(make_charts(of_one_size), "scaling-wedges"));
+  EXPECT_FALSE(has(make_charts(of_one_size), "scaling-pixels"));
+
+  Results two_scenes = tests::timed_results();
+  two_scenes.frames[0].scene = "bunny";
+  const Columns columns(two_scenes);
+  const auto chart = scaling_chart(columns, "pixels");
+  ASSERT_TRUE(chart);
+  EXPECT_EQ(chart->held.back().first->key, "scene");
+  EXPECT_EQ(value_text(chart->held.back().second), "fractal");
 }
 
 TEST(Charts, WithoutPointsThereAreNone) {

@@ -39,7 +39,9 @@ TEST(Findings, FollowTheData) {
 TEST(Findings, OfAStudyInTime) {
   const Results results = tests::timed_results();
   const std::vector<std::string> findings = find_findings(Columns(results), 9);
-  EXPECT_TRUE(says(findings, "Cycles grow with the pixels of the frame to the power 1.00"));
+  EXPECT_TRUE(says(findings,
+                   "Cycles grow with the pixels of the frame, from 76,800 to 1,228,800, to the "
+                   "power 1.00 in single-pass"));
   EXPECT_TRUE(says(findings, "z_read in 72 of 144 points"));
   EXPECT_TRUE(says(findings, "cycles 16.7 % less"));
 }
@@ -47,7 +49,7 @@ TEST(Findings, OfAStudyInTime) {
 TEST(Findings, OfWidths) {
   const Results results = tests::precision_results();
   EXPECT_TRUE(says(find_findings(Columns(results)),
-                   "lane width: 14 bits are enough, with 12 up to 600 pixels are wrong"));
+                   "lane: 14 are enough, with 12 pixels go wrong, up to 600 in a frame"));
 }
 
 TEST(Findings, NoneWithoutPoints) {

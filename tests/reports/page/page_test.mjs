@@ -60,11 +60,11 @@ const tests = {
           const frame = svg.getBoundingClientRect();
           for (const axis of svg.querySelectorAll(".role-axis")) {
             const labels = [...axis.querySelectorAll(".role-axis-label text")].filter((label) =>
-              label.textContent && getComputedStyle(label).opacity !== "0" && !/rotate/.test(label.getAttribute("transform")));
+              label.textContent && getComputedStyle(label).opacity !== "0");
             const boxes = labels.map((label) => label.getBoundingClientRect());
             boxes.forEach((box, i) => {
               if (box.left < frame.left - 1 || box.right > frame.right + 1) found.push(`${id}: ${labels[i].textContent} is clipped`);
-              const next = boxes[i + 1];
+              const next = /rotate/.test(labels[i].getAttribute("transform")) ? null : boxes[i + 1];
               if (next && box.right > next.left + 1 && next.right > box.left + 1 && box.bottom > next.top + 3 && next.bottom > box.top + 3) {
                 found.push(`${id}: ${labels[i].textContent} covers ${labels[i + 1].textContent}`);
               }

@@ -151,6 +151,7 @@ Results timed_results() {
             for (const char* unit : {"wedge_fetch", "wedge_setup", "tile_walk", "tile_cull",
                                      "z_read", "penumbra", "li_update"}) {
               const std::string name = unit;
+              m["path.memory." + name] = integer(busy / 7.0 * cycles);
               m["path." + name] = integer(busy / 3.5 * cycles);
               m[name + ".busy_cycles"] = integer(busy * cycles);
               m[name + ".stalled_cycles"] = integer((0.9 - busy) * 0.6 * cycles);
