@@ -49,7 +49,15 @@ std::string fit_text(const functional::Import& import) {
       "fit: of {} pixels inside the casters {} agree, {} are hidden, {} show what lies behind; "
       "{} pixels of sky\n",
       fit.meshes, fit.agree, fit.hidden, fit.behind, import.sky);
-  if (fit.agree == 0) text += "No pixel shows a caster: is it the right frame?\n";
+  if (2 * fit.agree < fit.meshes || fit.meshes == 0) {
+    text +=
+        "Less than half of the casters is seen: is it the right frame, and the right meaning?\n";
+  }
+  if (20 * fit.outline_behind > fit.outline) {
+    text += fmt::format(
+        "At the casters' outline {} of {} pixels show what lies behind: is the camera right?\n",
+        fit.outline_behind, fit.outline);
+  }
   return text;
 }
 

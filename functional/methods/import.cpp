@@ -41,11 +41,10 @@ DepthFit worse_fit(const Window& window, const DepthBuffer& depth, const Meshes&
   return all.fits() ? casters : all;
 }
 
-// Which options would make the image fit; empty if none would.
+// Which options would make the image fit, and in more pixels than `agree`; empty if none would.
 std::string what_would_fit(const Window& window, const Image& image, const Meshes& meshes,
-                           const ImportOptions& options) {
+                           const ImportOptions& options, std::size_t agree) {
   std::string best;
-  std::size_t agree = 0;
   const std::size_t channel = depth_channel(image, options.channel, "");
   const Image turned = flipped(image);
   for (const bool flip : {options.flip, !options.flip}) {
@@ -78,13 +77,24 @@ Import import_frame(const Scene& scene, const Image& image, const ImportOptions&
   import.fit = worse_fit(window, depth, meshes, options.tolerance);
   if (!import.fit.fits()) {
     const auto [x, y] = *import.fit.first_behind;
-    const std::string fits = what_would_fit(window, image, meshes, options);
+    const std::string fits = what_would_fit(window, image, meshes, options, 0);
     throw InputError(place,
                      fmt::format("shows what lies behind the meshes at {} of their {} pixels, "
                                  "first at {},{}",
                                  import.fit.behind, import.fit.meshes, x, y),
                      fits.empty() ? "the same camera, near and far planes and meshes as the image's"
                                   : "options that fit: " + fits);
+  }
+  // Casters may be hidden, but hardly by what another reading of the image takes away.
+  if (100 * import.fit.hidden > import.fit.meshes) {
+    const std::string better =
+        what_would_fit(window, image, meshes, options, import.fit.agree + import.fit.hidden / 2);
+    if (!better.empty()) {
+      throw InputError(place,
+                       fmt::format("hides the casters at {} of their {} pixels", import.fit.hidden,
+                                   import.fit.meshes),
+                       "options that fit better: " + better);
+    }
   }
   import.sky = static_cast<std::size_t>(std::ranges::count(depth.words, traces::sky_word(format)));
   FrameOptions frame_options = options.frame;

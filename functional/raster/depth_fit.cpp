@@ -39,8 +39,13 @@ DepthFit fit_depth(const Window& window, const DepthBuffer& depth, const DepthBu
           high = std::max(high, mesh[at(u, v)]);
         }
       }
-      if (!covered) continue;
       const double here = seen[at(x, y)];
+      if (!covered) {
+        if (meshes.triangle[at(x, y)] == DepthBuffer::kSky) continue;
+        fit.outline += 1;
+        fit.outline_behind += here > mesh[at(x, y)] * (1.0 + tolerance) ? 1 : 0;
+        continue;
+      }
       fit.meshes += 1;
       if (here < low * (1.0 - tolerance)) {
         fit.hidden += 1;

@@ -9,12 +9,15 @@
 namespace wedgesim::functional {
 
 /// How a frame's depth agrees with the meshes that it should show. Pixels at the meshes' outline
-/// are not judged, as renderers draw edges differently; each of the others is one of the three.
+/// are not judged, as renderers draw edges differently, only counted; each of the others is one of
+/// the three.
 struct DepthFit {
-  std::size_t meshes = 0;  // pixels that the meshes cover with all their neighbours
-  std::size_t agree = 0;   // within the tolerance of the mesh
-  std::size_t hidden = 0;  // something else is in front
-  std::size_t behind = 0;  // one sees through the mesh: the frame cannot be of this scene
+  std::size_t outline = 0;         // pixels that the meshes cover, but not all their neighbours
+  std::size_t outline_behind = 0;  // those of them where one sees through the mesh
+  std::size_t meshes = 0;          // pixels that the meshes cover with all their neighbours
+  std::size_t agree = 0;           // within the tolerance of the mesh
+  std::size_t hidden = 0;          // something else is in front
+  std::size_t behind = 0;          // one sees through the mesh: the frame cannot be of this scene
   std::optional<std::array<int, 2>> first_behind;  // x, y
 
   static constexpr double kMostBehind = 0.01;  // of the meshes' pixels: inner edges

@@ -139,6 +139,27 @@ TEST(Import, WhatDoesNotFitIsRefusedWithTheReason) {
   moved.camera.eye.x += 0.5;
   expect(input_error_of([&] { import_frame(moved, own_depth(larger), {}, "d.exr"); }),
          {"lies behind", "same camera"});
+  // Other meanings that put everything before the casters.
+  const Image depth = own_depth(larger);
+  const auto misread = [&](DepthMeaning meaning, const Image& image, const Scene& of) {
+    ImportOptions options;
+    options.meaning = meaning;
+    return input_error_of([&] { import_frame(of, image, options, "d.exr"); });
+  };
+  Scene wide = larger;
+  wide.camera.field_of_view_degrees = 110.0;
+  wide.camera.eye = 0.4 * wide.camera.eye;
+  Image reversed = depth;
+  for (float& value : reversed.values) value = 1.0F - value;
+  expect(misread(DepthMeaning::window, reversed, larger),
+         {"options that fit better: --meaning reversed"});
+  expect(misread(DepthMeaning::distance, ray_depth(wide, true), wide),
+         {"options that fit better: --meaning view"});
+  Scene slightly = larger;
+  slightly.camera.eye.x += 0.15;
+  const DepthFit outline = import_frame(slightly, depth, {}, "d.exr").fit;
+  EXPECT_GT(20 * outline.outline_behind, outline.outline);
+  EXPECT_EQ(import_frame(larger, depth, {}, "d.exr").fit.outline_behind, 0U);
   Image broken = window;
   *broken.pixel(5, 7) = std::numeric_limits<float>::quiet_NaN();
   expect(error(broken), {"d.exr: pixel 5,7", "nan"});
