@@ -154,22 +154,25 @@ std::vector<std::string> mode_findings(const Columns& columns) {
   if (mode == nullptr) return {};
   const Value three(std::string("three-pass")), single(std::string("single-pass"));
   std::vector<std::string> parts;
-  std::size_t pairs = 0;
+  std::vector<std::size_t> pairs;  // a study may count more than it runs in time
   for (const auto& [metric, label] : {std::pair("cycles", "cycles"),
                                       {"z_reads", "z reads"},
                                       {"li_writes", "LI writes"},
                                       {"all_bytes", "all bytes"}}) {
     const auto ratio = change(columns, metric, *mode, three, single);
     if (!ratio) continue;
-    pairs = ratio->count;
+    pairs.push_back(ratio->count);
     parts.push_back(
         fmt::format("{} {} ({})", label, change_text(ratio->median), band_text(*ratio)));
   }
   if (parts.empty()) return {};
+  const auto [fewest, most] = std::ranges::minmax(pairs);
+  std::string count = number_text(static_cast<double>(fewest));
+  if (most != fewest) count += " to " + number_text(static_cast<double>(most));
   return {
       fmt::format("Single-pass against three-pass: {}; medians, and 5th to 95th "
                   "percentiles, of {} pairs of points alike in all else.",
-                  listed(parts), number_text(static_cast<double>(pairs)))};
+                  listed(parts), count)};
 }
 
 std::vector<std::string> culling_findings(const Columns& columns) {
