@@ -34,17 +34,29 @@ int whole(const std::string& text) {
   return error == std::errc{} && stop == end ? number : -1;
 }
 
-// "5" or "0-34" or "0-34:5".
-std::vector<int> frame_numbers(const std::string& text) {
+/// "5" or "0-34" or "0-34:5".
+struct FrameRange {
+  int first = 0, last = -1, step = 1;
+
+  std::size_t count() const {
+    return first > last ? 0 : static_cast<std::size_t>((last - first) / step) + 1;
+  }
+  void append_to(std::vector<int>& numbers) const {
+    for (std::size_t i = 0; i < count(); ++i) {
+      numbers.push_back(first + static_cast<int>(i) * step);
+    }
+  }
+};
+
+// An empty one if the text is none.
+FrameRange frame_range(const std::string& text) {
   const std::size_t colon = std::min(text.find(':'), text.size());
   const std::size_t dash = std::min(text.find('-'), colon);
   const int first = whole(text.substr(0, dash));
   const int last = dash < colon ? whole(text.substr(dash + 1, colon - dash - 1)) : first;
   const int step = colon < text.size() ? whole(text.substr(colon + 1)) : 1;
-  std::vector<int> numbers;
-  if (first < 0 || step < 1) return numbers;
-  for (int number = first; number <= last; number += step) numbers.push_back(number);
-  return numbers;
+  if (first < 0 || step < 1) return {};
+  return {first, last, step};
 }
 
 std::optional<std::pair<int, int>> size_of(const std::string& text) {
@@ -130,12 +142,16 @@ Options read_options(const Reader& reader, const FrameOverrides& overrides) {
   if (const std::vector<std::string> frames = reader.words("frame", {}); !frames.empty()) {
     options.frames.clear();
     for (const std::string& word : frames) {
-      const std::vector<int> numbers = frame_numbers(word);
-      if (numbers.empty()) {
+      const FrameRange range = frame_range(word);
+      if (range.count() == 0) {
         reader.fail("frame", fmt::format("is '{}'", word),
                     "frames such as 5, \"0-34\", \"0-34:5\"");
       }
-      options.frames.insert(options.frames.end(), numbers.begin(), numbers.end());
+      if (options.frames.size() + range.count() > kMostPoints) {
+        reader.fail("frame", fmt::format("has too many frames in '{}'", word),
+                    fmt::format("at most {}", kMostPoints));
+      }
+      range.append_to(options.frames);
     }
     reader.refuse_twice("frame", options.frames);
   }

@@ -51,6 +51,9 @@ std::filesystem::path trace_path(const std::filesystem::path& folder, const std:
 std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& folder,
                                                  const std::string& label);
 
+/// Is the file a sound trace with this checksum? Reads all of it: a damaged one is none.
+bool holds_trace(const std::filesystem::path& path, std::uint64_t checksum);
+
 /// Renders a frame, or copies its trace, into trace_path.
 /// \param pictures  also draw picture_paths, of the block's default configuration
 /// \throws InputError if the scene or trace is wrong, or a file cannot be written

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "model/count/count.h"
 #include "reports/map_files.h"
@@ -42,6 +43,14 @@ std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& fo
   std::vector<std::filesystem::path> files = map_files(prefix);
   for (const char* kind : {".png", ".exr"}) files.emplace_back(prefix + "_shaded" + kind);
   return files;
+}
+
+bool holds_trace(const std::filesystem::path& path, std::uint64_t checksum) {
+  try {
+    return traces::TraceFile(path).view().header.checksum == checksum;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 RenderedFrame render_frame(const FrameSpec& spec, const std::filesystem::path& folder,

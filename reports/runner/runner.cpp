@@ -7,7 +7,6 @@
 #include <charconv>
 #include <chrono>
 #include <cstring>
-#include <fstream>
 #include <memory>
 #include <regex>
 #include <thread>
@@ -19,7 +18,6 @@
 #include "reports/runner/store.h"
 #include "reports/runner/value.h"
 #include "reports/runner/worker.h"
-#include "traces/format.h"
 
 namespace wedgesim::reports {
 namespace {
@@ -49,6 +47,7 @@ class Service {
   void render(std::size_t frame, const Worker::Answer& answer) const {
     const auto start = Clock::now();
     try {
+      options_.before_render(study_.frames[frame]);
       const RenderedFrame rendered =
           render_frame(study_.frames[frame], options_.folder, study_.pictures);
       answer({{"checksum", rendered.checksum},
@@ -118,20 +117,16 @@ class Service {
   std::size_t frame_ = 0;
 };
 
-bool holds_trace(const std::filesystem::path& path, std::uint64_t checksum) {
-  traces::FileHeader header;
-  std::ifstream in(path, std::ios::binary);
-  in.read(reinterpret_cast<char*>(&header), sizeof(header));
-  return in && header.magic == traces::kMagic && header.version == traces::kVersion &&
-         header.checksum == checksum;
-}
-
 void require_outputs(const Study& study, const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> inputs;
   std::vector<std::filesystem::path> outputs{folder};
-  for (const char* file :
-       {"results.sqlite", "results.csv", "results.json", "summary.txt", "summary.md"}) {
+  for (const char* file : {"results.sqlite", "results.csv", "results.json", "summary.txt",
+                           "summary.md", "claims.md", "report.html", "timeline.json"}) {
     outputs.push_back(folder / file);
+  }
+  std::error_code error;
+  for (const auto& map : std::filesystem::directory_iterator(folder / "maps", error)) {
+    outputs.push_back(map.path());
   }
   for (const FrameSpec& frame : study.frames) {
     inputs.insert(inputs.end(), frame.files.begin(), frame.files.end());
@@ -145,11 +140,13 @@ void require_outputs(const Study& study, const std::filesystem::path& folder) {
 // What a run that was killed left half written: ".STEM.PROCESS.EXTENSION" (base/file.h). Nobody
 // else writes here now.
 void remove_temporaries(const std::filesystem::path& folder) {
-  static const std::regex name(R"(\..+\.[0-9]+\.(wtrace|png|exr|csv|json|txt|md))");
+  static const std::regex name(R"(\..+\.[0-9]+\.(wtrace|png|exr|csv|json|txt|md|html))");
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    if (!std::regex_match(entry.path().filename().string(), name)) continue;
-    std::filesystem::remove(entry.path(), error);
+  for (const std::filesystem::path& place : {folder, folder / "maps"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(place, error)) {
+      if (!std::regex_match(entry.path().filename().string(), name)) continue;
+      std::filesystem::remove(entry.path(), error);
+    }
   }
 }
 
@@ -199,7 +196,7 @@ class Run {
       if (found != known.end() && is_usable(spec, found->second)) {
         FrameRow row = found->second;
         row.label = spec.row.label;
-        keep_frame(frame, row);
+        keep_frame(frame, row, store_.failure_state(row));
       } else {
         counts_.frames += 1;
         schedule_.add_render(frame);
@@ -213,8 +210,9 @@ class Run {
            holds_trace(trace_path(options_.folder, spec.row.label), row.checksum);
   }
 
-  // A frame that is there: its points are kept already, or are to be measured.
-  void keep_frame(std::size_t frame, const FrameRow& row) {
+  // A frame that is there: its points are kept already, or are to be measured; with `state` if it
+  // could not be rendered.
+  void keep_frame(std::size_t frame, const FrameRow& row, PointState state) {
     rows_[frame] = row;
     store_.keep(row, static_cast<std::int64_t>(frame));
     const std::map<std::string, PointState> states = store_.point_states(row.label);
@@ -222,9 +220,9 @@ class Run {
     std::vector<std::size_t> missing;
     for (const std::size_t i : wanted_.at(frame)) {
       const std::string key = point_key(study_.configurations[i], row.checksum);
-      const auto state = states.find(key);
+      const auto known = states.find(key);
       const bool is_kept =
-          state != states.end() && (state->second == PointState::done || !options_.retry);
+          known != states.end() && (known->second == PointState::done || !options_.retry);
       if (is_kept) {
         kept.emplace(key, position(frame, i));
       } else {
@@ -236,7 +234,7 @@ class Run {
     if (row.failure.empty()) {
       schedule_.add_points(frame, missing);
     } else {
-      for (const std::size_t i : missing) keep(frame, i, PointState::failed, row.failure, {}, 0.0);
+      for (const std::size_t i : missing) keep(frame, i, state, row.failure, {}, 0.0);
     }
   }
 
@@ -331,7 +329,7 @@ class Run {
           row.wedges = answer.at("wedges").get<std::int64_t>();
           row.pictures = answer.at("pictures").get<std::string>();
         }
-        rendered(hand, row);
+        rendered(hand, row, PointState::failed);
       } else {
         const auto i = answer.at("configuration").get<std::size_t>();
         const PointState state = failure.empty() ? PointState::done : PointState::failed;
@@ -344,11 +342,12 @@ class Run {
     }
   }
 
-  void rendered(Hand& hand, const FrameRow& row) {
+  // With `state` if it failed.
+  void rendered(Hand& hand, const FrameRow& row, PointState state) {
     counts_.rendered += 1;
     const std::size_t frame = hand.job->frame;
     hand.job.reset();
-    keep_frame(frame, row);
+    keep_frame(frame, row, state);
   }
 
   // The worker is gone. Which of several points of one walk is to blame, each shows by itself.
@@ -358,7 +357,8 @@ class Run {
     if (job.renders()) {
       FrameRow row = study_.frames[job.frame].row;
       row.failure = message;
-      rendered(hand, row);
+      row.seconds = seconds_since(hand.begun);
+      rendered(hand, row, state);
       return;
     }
     hand.job.reset();

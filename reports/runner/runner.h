@@ -29,8 +29,10 @@ struct RunOptions {
   std::string sources = std::string(sources_hash());
   /// Called with a line that says how far the run is, about twice a second.
   std::function<void(std::string_view)> progress = [](std::string_view) {};
-  /// In a worker before it measures a point; for tests of what happens when that goes wrong.
+  /// In a worker before it measures a point, or renders a frame; for tests of what happens when
+  /// that goes wrong.
   std::function<void(const Configuration&)> before = [](const Configuration&) {};
+  std::function<void(const FrameSpec&)> before_render = [](const FrameSpec&) {};
 };
 
 /// Runs what the folder does not hold yet of a study: renders frames into LABEL.wtrace (and their

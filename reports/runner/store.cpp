@@ -198,6 +198,13 @@ std::map<std::string, PointState> Store::point_states(const std::string& frame) 
   return states;
 }
 
+PointState Store::failure_state(const FrameRow& frame) {
+  Statement row(database_,
+                "SELECT state FROM points WHERE frame = ? AND message = ? AND sources = ?");
+  row.bind(frame.label).bind(frame.failure).bind(sources_);
+  return row.step() ? parse_state(row.text(0)) : PointState::failed;
+}
+
 void Store::place(const std::string& frame, const std::map<std::string, Position>& positions) {
   Transaction transaction(database_);
   Statement update(database_, "UPDATE points SET position = ? WHERE frame = ? AND key = ?");

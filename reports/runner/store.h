@@ -41,6 +41,8 @@ class Store {
 
   /// States of the points of a frame, by key.
   std::map<std::string, PointState> point_states(const std::string& frame);
+  /// What a frame that could not be rendered made of its points.
+  PointState failure_state(const FrameRow& frame);
   /// Puts points that are there at their places.
   void place(const std::string& frame, const std::map<std::string, Position>& positions);
   /// Adds a point, or replaces it.

@@ -102,6 +102,24 @@ TEST_F(RunnerTest, APointThatTakesTooLongIsGivenUp) {
   EXPECT_EQ(results().points[3].message, "took longer than 0.3 s");
 }
 
+TEST_F(RunnerTest, ARenderThatCrashesOrTakesTooLongMarksItsPointsSo) {
+  study.time_limit_seconds = 0.5;
+  options.before_render = [](const FrameSpec& frame) {
+    if (frame.row.label == "cylinder-f0") std::raise(SIGKILL);
+    sleep(60);
+  };
+  run();
+  std::vector<std::string> expected(16, "overtime");
+  std::fill_n(expected.begin(), 8, "crashed");
+  EXPECT_EQ(states(), expected);
+  EXPECT_EQ(results().points[0].message, "the worker ended by signal 9 (Killed)");
+  std::string text = kStudy;
+  text.replace(text.find("[4, 8, 16]"), 10, "[2, 4, 16]");
+  study = parse_study(text, "sample", "sample.toml");
+  EXPECT_EQ(run().rendered, 0U) << "kept, too";
+  EXPECT_EQ(states(), expected) << "of new points, too";
+}
+
 TEST_F(RunnerTest, AnErrorIsAPointsOwn) {
   options.before = [](const Configuration& configuration) {
     if (is_tile_8_single(configuration)) throw InputError("here", "is wrong");
@@ -137,8 +155,13 @@ TEST_F(RunnerTest, OtherSourcesMeasureAnew) {
 TEST_F(RunnerTest, WhatAKilledRunLeftHalfWrittenIsRemoved) {
   run();
   std::ofstream(options.folder / ".cylinder-f0.1596.wtrace") << "half";
+  std::filesystem::create_directory(options.folder / "maps");
+  std::ofstream(options.folder / "maps/.cylinder_t4.1596.png") << "half";
+  std::ofstream(options.folder / ".report.1596.html") << "half";
   std::ofstream(options.folder / ".notes.txt") << "the user's own";
   run();
+  EXPECT_FALSE(std::filesystem::exists(options.folder / "maps/.cylinder_t4.1596.png"));
+  EXPECT_FALSE(std::filesystem::exists(options.folder / ".report.1596.html"));
   EXPECT_FALSE(std::filesystem::exists(options.folder / ".cylinder-f0.1596.wtrace"));
   EXPECT_TRUE(std::filesystem::exists(options.folder / ".notes.txt"));
 }
@@ -150,6 +173,21 @@ TEST_F(RunnerTest, ATraceThatIsGoneIsRenderedAgain) {
   const RunCounts counts = run();
   EXPECT_EQ(counts.rendered, 2U);
   EXPECT_EQ(counts.measured, 0U);
+}
+
+TEST_F(RunnerTest, ADamagedTraceIsRenderedAgain) {
+  run();
+  const std::filesystem::path path = options.folder / "cylinder-f9.wtrace";
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekp(static_cast<std::streamoff>(std::filesystem::file_size(path) / 2));
+  file << "oops" << std::flush;
+  std::string text = kStudy;
+  text.replace(text.find("[4, 8, 16]"), 10, "[2, 4, 16]");
+  study = parse_study(text, "sample", "sample.toml");
+  const RunCounts counts = run();
+  EXPECT_EQ(counts.rendered, 1U);
+  EXPECT_EQ(counts.measured, 4U);
+  EXPECT_EQ(states(), std::vector<std::string>(16, "done"));
 }
 
 TEST_F(RunnerTest, ASceneThatCannotBeRenderedFailsItsPoints) {
@@ -179,6 +217,15 @@ TEST_F(RunnerTest, TracesAreFramesToo) {
   EXPECT_EQ(to_text(find_value(found.frames[0].parameters, "width")), "24");
   options.folder = folder / "out";
   EXPECT_NE(input_error_of([this] { run(); }).find("is read, too"), std::string::npos);
+}
+
+TEST_F(RunnerTest, NothingThatIsReadIsWritten) {
+  std::filesystem::create_directories(options.folder / "maps");
+  for (const char* name : {"report.html", "claims.md", "timeline.json", "maps/a.png"}) {
+    std::ofstream(options.folder / name) << "the user's own";
+    study.frames[0].files = {options.folder / name};
+    EXPECT_NE(input_error_of([this] { run(); }).find("is read, too"), std::string::npos) << name;
+  }
 }
 
 TEST_F(RunnerTest, TwoRunsDoNotShareAFolder) {
