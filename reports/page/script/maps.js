@@ -60,7 +60,10 @@ function showMaps() {
         `${textOf(map.total)} in all; white is ${textOf(map.maximum)} at a pixel.`;
       picture.scale.textContent = `${textOf(map.maximum)} at a pixel`;
       picture.words.replaceChildren(`${textOf(map.total)} words. `);
-      if (map.file) picture.words.append(make("a", { href: map.file }, "Full size"));
+      if (map.file) {
+        const href = map.file.split("/").map(encodeURIComponent).join("/");
+        picture.words.append(make("a", { href }, "Full size"));
+      }
     }
   }
 

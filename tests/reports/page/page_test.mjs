@@ -31,7 +31,7 @@ async function open(name, options = {}) {
 
 const tests = {
   async "every chart has marks, words and a description, and nothing is said on the console"() {
-    for (const name of ["sample", "sample-time", "sample-precision"]) {
+    for (const name of ["sample", "sample-time", "sample-precision", "paper2/report"]) {
       const page = await open(name);
       const charts = await page.$$eval("figure.chart", (figures) => figures.map((figure) => ({
         id: figure.id,
@@ -211,7 +211,7 @@ const tests = {
   },
 
   async "pages are small and open soon"() {
-    for (const name of ["sample", "sample-large"]) {
+    for (const name of ["sample", "sample-large", "paper2/report"]) {
       const bytes = statSync(`${folder}/${name}.html`).size;
       assert.ok(bytes < mostBytes, `${name}: ${bytes} bytes`);
       const page = await open(name);
