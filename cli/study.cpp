@@ -3,12 +3,11 @@
 #include <cstdlib>
 #include <memory>
 
-#include "base/file.h"
 #include "cli/command.h"
 #include "cli/parse.h"
 #include "cli/print.h"
 #include "cli/progress.h"
-#include "reports/claims/claims.h"
+#include "cli/study_output.h"
 #include "reports/page/study_page.h"
 #include "reports/runner/estimate.h"
 #include "reports/runner/metrics.h"
@@ -63,17 +62,6 @@ std::string counts_text(const reports::RunCounts& counts) {
                      counts.points, counts.measured);
 }
 
-// The table of the claims; writes their page into the folder and where the user wants it.
-std::string claims_text(const Arguments& arguments, const std::filesystem::path& folder,
-                        const reports::Results& results) {
-  if (!results.study.claims) return {};
-  const auto claims = reports::judge_claims(reports::built_in_claims(), results);
-  const std::string page = reports::claims_page(claims, results).markdown();
-  write_file(folder / "claims.md", page);
-  if (!arguments.claims.empty()) write_file(arguments.claims, page);
-  return reports::claims_table(claims).text() + '\n';
-}
-
 int list_metrics() {
   reports::Table table;
   for (const char* title : {"metric", "unit", "what"}) {
@@ -105,16 +93,12 @@ int run(const Arguments& arguments) {
     counts = reports::run_study(study, options);
   }
   const reports::Results results = reports::read_results(options.folder);
-  reports::write_results(options.folder, results);
-  const std::filesystem::path page = reports::page::page_path(options.folder);
-  reports::page::write_study_page(options.folder, results, page);
-  std::string text = reports::summary(results).text() + '\n';
-  text += claims_text(arguments, options.folder, results);
+  std::string text = write_study(options.folder, results, arguments.claims);
   if (const std::string kept = counts_text(counts); !kept.empty()) text += kept + '\n';
   text += fmt::format(
       "These tables, results.csv, results.json, results.sqlite and traces are in {}/\n"
       "The page: {}\n",
-      options.folder.string(), page.string());
+      options.folder.string(), reports::page::page_path(options.folder).string());
   print(text);
   return reports::held(results) ? 0 : 1;
 }

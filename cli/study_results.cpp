@@ -4,6 +4,7 @@
 
 #include "cli/command.h"
 #include "cli/print.h"
+#include "cli/study_output.h"
 #include "reports/page/study_page.h"
 #include "reports/runner/merge.h"
 #include "reports/runner/store.h"
@@ -15,13 +16,11 @@ namespace {
 
 int merge(const std::vector<std::string>& folders, const std::string& output) {
   const reports::Results results = reports::merge_results({folders.begin(), folders.end()}, output);
-  reports::write_results(output, results);
-  reports::page::write_study_page(output, results, reports::page::page_path(output));
+  const std::string tables = write_study(output, results);
   const std::size_t points = results.points.size();
   const auto planned = static_cast<std::size_t>(results.points_planned);
-  print(fmt::format("{}\n{} of {} points from {} folders are in {}/\n",
-                    reports::summary(results).text(), reports::grouped(points),
-                    reports::grouped(planned), folders.size(), output));
+  print(fmt::format("{}{} of {} points from {} folders are in {}/\n", tables,
+                    reports::grouped(points), reports::grouped(planned), folders.size(), output));
   return points == planned && reports::held(results) ? 0 : 1;
 }
 

@@ -16,13 +16,22 @@ bool equal(model::datapath::Formats a, model::datapath::Formats b) {
 
 }  // namespace
 
-bool have_much_in_common(const Configuration& a, const Configuration& b) {
-  if (a.measure != b.measure) return false;
-  if (a.measure == Measure::cycles) {
-    return a.block.rasterizer == b.block.rasterizer && equal(a.block.formats, b.block.formats);
+std::vector<int> common_part(const Configuration& configuration) {
+  std::vector<int> part{static_cast<int>(configuration.measure)};
+  const auto add = [&part](auto... values) { (part.push_back(static_cast<int>(values)), ...); };
+  const bool counts = configuration.measure == Measure::count;
+  if (counts) {
+    add(configuration.datapath);
+  } else {
+    const auto [mode, tile, cull, umbra_cull, accept, share, z, tile_build] =
+        configuration.block.rasterizer;
+    add(mode, tile, cull, umbra_cull, accept, share, z, tile_build);
   }
-  return a.datapath == b.datapath &&
-         (a.datapath != model::LiFormat::fixed || equal(a.block.formats, b.block.formats));
+  if (!counts || configuration.datapath == model::LiFormat::fixed) {
+    model::datapath::Formats formats = configuration.block.formats;
+    for (const model::datapath::Width& width : model::datapath::kWidths) add(width.of(formats));
+  }
+  return part;
 }
 
 std::vector<Values> Measurer::measure(const std::vector<const Configuration*>& configurations) {

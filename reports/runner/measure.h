@@ -18,8 +18,8 @@ class Measurer {
   /// \throws InputError if the file is not a sound trace
   explicit Measurer(const std::filesystem::path& trace) : trace_(trace) {}
 
-  /// The metrics of each configuration: of one if it is `cycles`, else of several that have much in
-  /// common.
+  /// The metrics of each configuration: of one if it is `cycles`, else of several that have the
+  /// same common_part.
   /// \throws InputError if a configuration is wrong for this trace, std::runtime_error if the block
   ///         blocks itself
   std::vector<Values> measure(const std::vector<const Configuration*>& configurations);
@@ -33,7 +33,8 @@ class Measurer {
   std::optional<model::datapath::Formats> formats_;
 };
 
-/// Are two configurations measured in one walk (count), or over the same values (cycles)?
-bool have_much_in_common(const Configuration& a, const Configuration& b);
+/// What of a configuration is done once for all that have the same: the walk (count), or a block's
+/// values (cycles).
+std::vector<int> common_part(const Configuration& configuration);
 
 }  // namespace wedgesim::reports

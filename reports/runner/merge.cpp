@@ -22,16 +22,25 @@ struct Part {
   Stored stored;
 };
 
+bool are_of_one_study(const Stored& a, const Stored& b) {
+  return a.study == b.study && a.points_planned == b.points_planned;
+}
+
 void require_one_study(const Part& first, const Part& other) {
   const auto refuse = [&](std::string_view what) {
     throw InputError(other.folder.string(), fmt::format("{} than {}", what, first.folder.string()),
                      "shards of one study, run by one build");
   };
   if (other.stored.sources != first.stored.sources) refuse("was made by other sources");
-  if (other.stored.study != first.stored.study ||
-      other.stored.points_planned != first.stored.points_planned) {
-    refuse("holds another study");
-  }
+  if (!are_of_one_study(other.stored, first.stored)) refuse("holds another study");
+}
+
+void require_room_for(const Stored& study, const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!std::filesystem::exists(results_path(folder), error)) return;
+  if (are_of_one_study(read_stored(folder), study)) return;
+  throw InputError(folder.string(), "holds another study",
+                   "a folder without results, or with those of this study");
 }
 
 // A link costs nothing where both folders are on one disk.
@@ -40,6 +49,15 @@ void take_file(const std::filesystem::path& from, const std::filesystem::path& t
   if (!std::filesystem::exists(from, error) || std::filesystem::exists(to, error)) return;
   std::filesystem::create_hard_link(from, to, error);
   if (error) write_file(to, MappedFile(from).bytes());
+}
+
+// Only a sound one: the study renders the frame again if there is none.
+void take_trace(const FrameRow& frame, const std::filesystem::path& from,
+                const std::filesystem::path& to) {
+  if (!frame.failure.empty() || holds_trace(to, frame.checksum)) return;
+  std::error_code error;
+  std::filesystem::remove(to, error);
+  if (holds_trace(from, frame.checksum)) take_file(from, to);
 }
 
 bool equal_but_timing(const FrameRow& a, const FrameRow& b) {
@@ -155,6 +173,7 @@ Results merge_results(const std::vector<std::filesystem::path>& from,
     collect(part.folder, part.stored.frames, frames);
     collect(part.folder, part.stored.points, points);
   }
+  require_room_for(parts.front().stored, to);
   {
     const Stored& first = parts.front().stored;
     Store store(to, first.sources);
@@ -163,7 +182,7 @@ Results merge_results(const std::vector<std::filesystem::path>& from,
   }
   for (const Part& part : parts) {
     for (const auto& [position, frame] : part.stored.frames) {
-      take_file(trace_path(part.folder, frame.label), trace_path(to, frame.label));
+      take_trace(frame, trace_path(part.folder, frame.label), trace_path(to, frame.label));
       const auto pictures = picture_paths(part.folder, frame.label);
       for (const auto& picture : pictures) take_file(picture, to / picture.filename());
     }

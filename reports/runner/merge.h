@@ -11,9 +11,9 @@ namespace wedgesim::reports {
 /// Puts the results of a study's shards together: results.sqlite with all their rows, and their
 /// traces and pictures, so that the study can go on there.
 /// \param from  folders of shards, at least one
-/// \param to    a folder without results, or that was merged before
-/// \throws InputError if they are not of one study, or made by different sources, or if they
-///         disagree on a point
+/// \param to    a folder without results, or with those of the same study
+/// \throws InputError if they are not of one study, or made by different sources, if they disagree
+///         on a point, or if `to` holds another study
 Results merge_results(const std::vector<std::filesystem::path>& from,
                       const std::filesystem::path& to);
 

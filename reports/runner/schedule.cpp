@@ -1,6 +1,7 @@
 #include "reports/runner/schedule.h"
 
 #include <algorithm>
+#include <map>
 
 #include "reports/runner/measure.h"
 
@@ -9,14 +10,9 @@ namespace wedgesim::reports {
 void Schedule::add_points(std::size_t frame, std::vector<std::size_t> configurations) {
   // Those that have most in common beside each other; within them the study's order.
   std::vector<std::size_t> first(study_.configurations.size());
+  std::map<std::vector<int>, std::size_t> firsts;
   for (const std::size_t i : configurations) {
-    first[i] = i;
-    for (const std::size_t j : configurations) {
-      if (j >= i) break;
-      if (!have_much_in_common(study_.configurations[j], study_.configurations[i])) continue;
-      first[i] = first[j];
-      break;
-    }
+    first[i] = firsts.try_emplace(common_part(study_.configurations[i]), i).first->second;
   }
   std::ranges::stable_sort(configurations, {}, [&first](std::size_t i) { return first[i]; });
   std::deque<Job>& jobs = frames_[frame];

@@ -74,6 +74,42 @@ TEST_F(StudyShards, OnlyShardsOfOneStudyAreMerged) {
   EXPECT_FALSE(std::filesystem::exists(folder / "merged"));
 }
 
+TEST_F(StudyShards, AMergeReplacesNoOtherStudy) {
+  const std::string small = "[frames]\nscene = \"cylinder\"\nsize = \"24x16\"\n";
+  write_text(folder / "s.toml", small);
+  expect_good(study("a", {}));
+  write_text(folder / "s.toml", small + "[[grid]]\nblock.tile = [4, 16]\n");
+  expect_good(study("b", {}));
+  const std::string before = read_text(folder / "a/results.csv");
+  expect_bad_input(merge({at("b")}, "a"), {at("a") + ": holds another study", "without results"});
+  EXPECT_EQ(read_text(folder / "a/results.csv"), before);
+  expect_good(merge({at("b")}, "merged"));
+  expect_good(merge({at("b")}, "merged"));
+}
+
+TEST_F(StudyShards, AMergeTakesNoDamagedTrace) {
+  write_text(folder / "s.toml",
+             "[frames]\nscene = \"cylinder\"\nsize = \"24x16\"\n"
+             "[[grid]]\nblock.tile = [4, 16]\n"
+             "block.mode = [\"three-pass\", \"single-pass\"]\n");
+  expect_good(study("a", {}));
+  std::string trace = read_text(folder / "a/cylinder.wtrace");
+  trace.replace(trace.size() / 2, 4, "oops");
+  write_text(folder / "a/cylinder.wtrace", trace);
+  expect_good(merge({at("a")}, "merged"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "merged/cylinder.wtrace"));
+  expect_good(study("merged", {}));
+  EXPECT_TRUE(std::filesystem::exists(folder / "merged/cylinder.wtrace"));
+}
+
+TEST_F(StudyShards, AMergeWritesThePageOfTheClaims) {
+  write_text(folder / "s.toml",
+             "claims = true\n[frames]\nscene = \"cylinder\"\nsize = \"24x16\"\n");
+  expect_good(study("a", {}));
+  expect_good(merge({at("a")}, "merged"));
+  EXPECT_EQ(read_text(folder / "merged/claims.md"), read_text(folder / "a/claims.md"));
+}
+
 TEST_F(StudyShards, ASchedulerChoosesTheShard) {
   setenv("OMPI_COMM_WORLD_RANK", "1", 1);
   setenv("OMPI_COMM_WORLD_SIZE", "3", 1);
