@@ -150,9 +150,10 @@ class ChartMaker {
     const Column* error = columns_.number("rms_error");
     if (time == nullptr || error == nullptr || !error->varies()) return;
     add(finish_dots(columns_,
-                    chart_of("error-time", "Error against run time", "Left and low is better.",
-                             time, columns_.axis("method"), {{error, error->label}}),
-                    true));
+                    chart_of("error-time", "Error against run time",
+                             "Seconds of one core to count a frame. Left and low is better.", time,
+                             columns_.axis("datapath"), {{error, error->label}}),
+                    false));
   }
 
   void own(const Plot& plot) {

@@ -67,6 +67,7 @@ Columns::Columns(const Results& results) : results_(&results) {
   add_measures();
   add_values(Kind::setting);
   add_values(Kind::metric);
+  add_run_seconds();
   for (Column& column : columns_) find_distinct(column);
   std::vector<Column> derived;
   add_derived(*this, derived);
@@ -132,6 +133,19 @@ void Columns::add_values(Kind kind) {
       }
       columns_[found->second].values[i] = value;
     }
+  }
+}
+
+// Timing, which differs from run to run: only where datapaths are told apart by what they cost.
+void Columns::add_run_seconds() {
+  std::set<Value> datapaths;
+  for (const PointRow& point : results_->points) {
+    datapaths.insert(find_value(point.configuration, "datapath"));
+  }
+  if (datapaths.size() < 2) return;
+  Column& column = add("run_seconds", Kind::metric);
+  for (std::size_t i = 0; i < points(); ++i) {
+    if (done(i)) column.values[i] = results_->points[i].seconds;
   }
 }
 

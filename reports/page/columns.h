@@ -58,6 +58,7 @@ class Columns {
   void add_frames();
   void add_measures();
   void add_values(Column::Kind kind);
+  void add_run_seconds();
   void find_axes();
 
   const Results* results_;
