@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "base/file.h"
 #include "cli/command.h"
@@ -31,11 +32,7 @@ struct Arguments {
 functional::ImportOptions import_options(const Arguments& arguments) {
   functional::ImportOptions options;
   options.meaning = parse_choice<DepthMeaning>("--meaning", arguments.meaning,
-                                               {{"window", DepthMeaning::window},
-                                                {"reversed", DepthMeaning::reversed},
-                                                {"ndc", DepthMeaning::ndc},
-                                                {"view", DepthMeaning::view},
-                                                {"distance", DepthMeaning::distance}});
+                                               std::span(functional::kDepthMeanings));
   options.channel = arguments.channel;
   options.flip = arguments.flip;
   options.tolerance = parse_number("--tolerance", arguments.tolerance, 1e-9, 0.5);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,7 +55,8 @@ using Choices = std::initializer_list<std::pair<std::string_view, Value>>;
 
 /// One of the named values.
 template <typename Value>
-Value parse_choice(std::string_view option, std::string_view text, Choices<Value> choices) {
+Value parse_choice(std::string_view option, std::string_view text,
+                   std::span<const std::pair<std::string_view, Value>> choices) {
   std::string names;
   for (const auto& [name, value] : choices) {
     if (name == text) return value;
@@ -62,6 +64,10 @@ Value parse_choice(std::string_view option, std::string_view text, Choices<Value
     names += name;
   }
   throw InputError(option, fmt::format("unknown value '{}'", text), "one of " + names);
+}
+template <typename Value>
+Value parse_choice(std::string_view option, std::string_view text, Choices<Value> choices) {
+  return parse_choice<Value>(option, text, std::span(choices.begin(), choices.size()));
 }
 
 }  // namespace wedgesim::cli

@@ -3,22 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
-#include <utility>
 #include <vector>
 
 #include "base/error.h"
 
 namespace wedgesim::functional {
 namespace {
-
-constexpr std::array<std::pair<DepthMeaning, const char*>, 5> kMeanings{
-    {{DepthMeaning::window, "window"},
-     {DepthMeaning::reversed, "reversed"},
-     {DepthMeaning::ndc, "ndc"},
-     {DepthMeaning::view, "view"},
-     {DepthMeaning::distance, "distance"}}};
 
 /// What an image must agree with.
 struct Meshes {
@@ -48,7 +39,7 @@ std::string what_would_fit(const Window& window, const Image& image, const Meshe
   const std::size_t channel = depth_channel(image, options.channel, "");
   const Image turned = flipped(image);
   for (const bool flip : {options.flip, !options.flip}) {
-    for (const auto& [meaning, name] : kMeanings) {
+    for (const auto& [name, meaning] : kDepthMeanings) {
       try {
         const DepthBuffer depth =
             depth_of_image(flip ? turned : image, channel, meaning, window, meshes.all.format, "");

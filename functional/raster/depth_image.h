@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "base/image.h"
 #include "functional/raster/depth_buffer.h"
@@ -16,6 +19,14 @@ enum class DepthMeaning {
   view,      // distance along the view direction, world units; the far plane and beyond: sky
   distance,  // distance from the eye, world units; as above
 };
+
+/// Their names.
+inline constexpr std::array<std::pair<std::string_view, DepthMeaning>, 5> kDepthMeanings{
+    {{"window", DepthMeaning::window},
+     {"reversed", DepthMeaning::reversed},
+     {"ndc", DepthMeaning::ndc},
+     {"view", DepthMeaning::view},
+     {"distance", DepthMeaning::distance}}};
 
 /// Turns one channel of another renderer's depth image into stored depth.
 /// \param image   as large as the window
