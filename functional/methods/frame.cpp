@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "functional/light/coverage.h"
 #include "functional/methods/light_intensity.h"
+#include "functional/scene/origin.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -33,8 +34,7 @@ fb::LightShape to_fb(LightShape shape) {
   return fb::LightShape_point;
 }
 
-void fill_header(const Scene& scene, const Window& window, fb::DepthFormat depth_format,
-                 traces::Header& header) {
+void fill_header(const Scene& scene, const Window& window, traces::Header& header) {
   header.name = scene.name;
   header.width = static_cast<std::uint32_t>(window.width);
   header.height = static_cast<std::uint32_t>(window.height);
@@ -51,32 +51,60 @@ void fill_header(const Scene& scene, const Window& window, fb::DepthFormat depth
   light.half_v = to_fb(scene.light.half_v);
   light.radius = scene.light.radius;
   light.colour = to_fb(scene.light.colour);
-  light.light_from_window = to_fb(light_from_world(scene.light) * window.world_from_window);
   header.lights.push_back(std::move(light));
-  header.depth_format = depth_format;
 }
 
 // A point this near to the bounds of the objects, of their diagonal, is one of theirs: stored depth
 // is rounded. Volumes end farther out (extent.cpp).
 constexpr double kOfTheObjects = 1e-3;
 
-Bounds receivers_of(const Scene& scene, const Frame& frame, const FrameOptions& options) {
+Bounds receivers_of(const Scene& scene, const Window& window, const DepthBuffer& depth,
+                    const FrameOptions& options) {
   const Bounds objects = bounds_of(scene.objects);
   if (options.depth == nullptr) return objects;
   const glm::dvec3 near(kOfTheObjects * objects.diagonal());
   Bounds all = objects;
-  const std::uint32_t sky = traces::sky_word(frame.depth.format);
-  for (std::size_t i = 0; i < frame.depth.words.size(); ++i) {
-    if (frame.depth.words[i] == sky) continue;
-    const auto width = static_cast<std::size_t>(frame.window.width);
-    const glm::dvec3 p = world_point(
-        frame.window, static_cast<double>(i % width) + 0.5, static_cast<double>(i / width) + 0.5,
-        traces::decode_depth(frame.depth.format, frame.depth.words[i]));
+  const std::uint32_t sky = traces::sky_word(depth.format);
+  for (std::size_t i = 0; i < depth.words.size(); ++i) {
+    if (depth.words[i] == sky) continue;
+    const auto width = static_cast<std::size_t>(window.width);
+    const glm::dvec3 p = world_point(window, static_cast<double>(i % width) + 0.5,
+                                     static_cast<double>(i / width) + 0.5,
+                                     traces::decode_depth(depth.format, depth.words[i]));
     const bool outside = glm::any(glm::lessThan(p, objects.low - near)) ||
                          glm::any(glm::greaterThan(p, objects.high + near));
     if (outside) all.grow(p);
   }
   return all;
+}
+
+// All but the header's world coordinates and matrices, for a scene taken from a good origin.
+void fill_frame(const Scene& scene, const FrameOptions& options, Frame& frame) {
+  const Window window = make_window(scene.camera, scene.width, scene.height);
+  frame.depth = options.depth != nullptr
+                    ? *options.depth
+                    : render_depth(window, scene.objects, options.depth_format);
+  traces::Header& header = frame.trace.header;
+  header.depth_format = frame.depth.format;
+  header.lights.front().light_from_window =
+      to_fb(light_from_world(scene.light) * window.world_from_window);
+  frame.geometry =
+      build_shadow_geometry(scene, window, options.kind, options.length,
+                            receivers_of(scene, window, frame.depth, options), frame.trace);
+  frame.trace.depth = frame.depth.words;
+
+  const fb::ZMethod method =
+      options.z_method.value_or(header.z_fail_needed ? fb::ZMethod_fail : fb::ZMethod_pass);
+  if (header.z_fail_needed && method == fb::ZMethod_pass) {
+    throw InputError(scene.place, "z-pass is wrong where a shadow volume meets the near pyramid",
+                     "z-fail or auto");
+  }
+  header.expected_z_method = method;
+  if (!options.expected_li) return;
+  LightIntensity light =
+      evaluate_light_intensity(scene, window, frame.depth, frame.geometry, frame.trace, method);
+  frame.trace.expected_li = std::move(light.li);
+  frame.trace.li_sensitivity = std::move(light.sensitivity);
 }
 
 }  // namespace
@@ -87,27 +115,12 @@ Frame make_frame(const Scene& scene, const FrameOptions& options) {
   }
   Frame frame;
   frame.window = make_window(scene.camera, scene.width, scene.height);
-  frame.depth = options.depth != nullptr
-                    ? *options.depth
-                    : render_depth(frame.window, scene.objects, options.depth_format);
-  fill_header(scene, frame.window, frame.depth.format, frame.trace.header);
-  frame.geometry = build_shadow_geometry(scene, frame.window, options.kind, options.length,
-                                         receivers_of(scene, frame, options), frame.trace);
-  frame.trace.depth = frame.depth.words;
-
-  const bool needs_fail = frame.trace.header.z_fail_needed;
-  const fb::ZMethod method =
-      options.z_method.value_or(needs_fail ? fb::ZMethod_fail : fb::ZMethod_pass);
-  if (needs_fail && method == fb::ZMethod_pass) {
-    throw InputError(scene.place, "z-pass is wrong where a shadow volume meets the near pyramid",
-                     "z-fail or auto");
-  }
-  frame.trace.header.expected_z_method = method;
-  if (options.expected_li) {
-    LightIntensity light = evaluate_light_intensity(scene, frame.window, frame.depth,
-                                                    frame.geometry, frame.trace, method);
-    frame.trace.expected_li = std::move(light.li);
-    frame.trace.li_sensitivity = std::move(light.sensitivity);
+  fill_header(scene, frame.window, frame.trace.header);
+  frame.origin = best_origin(scene);
+  if (frame.origin == glm::dvec3(0.0)) {
+    fill_frame(scene, options, frame);
+  } else {
+    fill_frame(taken_from(scene, frame.origin), options, frame);
   }
   return frame;
 }

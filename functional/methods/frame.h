@@ -24,7 +24,8 @@ struct FrameOptions {
 struct Frame {
   Window window;
   DepthBuffer depth;
-  ShadowGeometry geometry;
+  glm::dvec3 origin{0.0};   // world position that geometry is taken from (origin.h)
+  ShadowGeometry geometry;  // world axes, about `origin`
   traces::Trace trace;
 };
 

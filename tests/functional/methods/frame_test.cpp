@@ -48,6 +48,35 @@ TEST(Frame, HeaderDescribesTheScene) {
   EXPECT_NEAR(row(2) / row(3), 0.0, 1e-9);
 }
 
+// A scene far from the world's origin loses nothing but what its own coordinates have lost; moved
+// by whole powers of two it has lost nothing.
+TEST(Frame, DoesNotDependOnWhereTheSceneIs) {
+  Scene scene = small("plain-columns");
+  const auto snapped = [](double x) { return std::ldexp(std::nearbyint(std::ldexp(x, 20)), -20); };
+  for (Object& object : scene.objects) {
+    for (glm::dvec3& p : object.mesh.positions) p = {snapped(p.x), snapped(p.y), snapped(p.z)};
+  }
+  const auto moved = [&](const glm::dvec3& offset) {
+    Scene far = scene;
+    for (Object& object : far.objects) {
+      for (glm::dvec3& p : object.mesh.positions) p += offset;
+    }
+    far.camera.eye += offset;
+    far.camera.target += offset;
+    far.light.centre += offset;
+    return make_frame(far).trace;
+  };
+  const traces::Trace here = make_frame(scene).trace;
+  const traces::Trace there = moved({16777216.0, 0.0, -4194304.0});
+  ASSERT_EQ(there.expected_li.size(), here.expected_li.size());
+  EXPECT_EQ(there.depth, here.depth);
+  EXPECT_EQ(there.wedges.size(), here.wedges.size());
+  for (std::size_t i = 0; i < here.expected_li.size(); ++i) {
+    ASSERT_NEAR(there.expected_li[i], here.expected_li[i], 1e-9 + here.li_sensitivity[i]) << i;
+  }
+  EXPECT_EQ(there.header.lights[0].centre.x(), here.header.lights[0].centre.x() + 16777216.0);
+}
+
 TEST(Frame, ExpectedLightIsOptional) {
   FrameOptions options;
   options.expected_li = false;
