@@ -11,6 +11,8 @@ find_package(CLI11 REQUIRED)
 find_package(embree 3.13 REQUIRED)
 find_package(hwy REQUIRED)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+find_package(Boost REQUIRED)
+pkg_check_modules(mpfr REQUIRED IMPORTED_TARGET mpfr gmp)
 find_package(SQLite3 REQUIRED)
 find_package(FlatBuffers CONFIG REQUIRED)
 # By pkg-config: the package's CMake file asks for tools and OpenCV headers that are not needed.

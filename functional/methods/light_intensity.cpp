@@ -24,16 +24,6 @@ struct Row {
 };
 using BandRows = std::array<Row, kBandRows>;
 
-std::vector<SnappedPoint> outline_of(const traces::Trace& trace, std::uint32_t first,
-                                     std::uint32_t count) {
-  std::vector<SnappedPoint> outline;
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    const fb::ScreenVertex& v = trace.vertices[trace.indices[i]];
-    outline.push_back({v.x(), v.y(), v.z()});
-  }
-  return outline;
-}
-
 // Rows that an outline may touch.
 struct Extent {
   int y_begin = 0;
@@ -239,6 +229,16 @@ double linear_intensity(const ShadowWedge& wedge, const glm::dvec3& p) {
 }
 
 }  // namespace
+
+std::vector<SnappedPoint> outline_of(const traces::Trace& trace, std::uint32_t first,
+                                     std::uint32_t count) {
+  std::vector<SnappedPoint> outline;
+  for (std::uint32_t i = first; i < first + count; ++i) {
+    const fb::ScreenVertex& v = trace.vertices[trace.indices[i]];
+    outline.push_back({v.x(), v.y(), v.z()});
+  }
+  return outline;
+}
 
 double penumbra_share(const Light& light, fb::WedgeKind kind, const ShadowWedge& wedge,
                       const glm::dvec3& world, const glm::dvec3& in_light, bool inner) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "functional/methods/shadow_geometry.h"
+#include "functional/raster/clip.h"
 #include "functional/raster/depth_buffer.h"
 #include "functional/raster/window.h"
 #include "traces/trace.h"
@@ -22,6 +23,10 @@ struct LightIntensity {
 LightIntensity evaluate_light_intensity(const Scene& scene, const Window& window,
                                         const DepthBuffer& depth, const ShadowGeometry& geometry,
                                         const traces::Trace& trace, traces::fb::ZMethod method);
+
+/// The snapped outline of a polygon of a trace, by its indices.
+std::vector<SnappedPoint> outline_of(const traces::Trace& trace, std::uint32_t first,
+                                     std::uint32_t count);
 
 /// The share of a wedge in the light intensity of a point inside it: linear, the intensity of
 /// Paper I, Eqs. 2 and 3; coverage, plus or minus the covered fraction.

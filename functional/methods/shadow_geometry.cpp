@@ -52,7 +52,8 @@ class Builder {
     geometry_.kind = kind;
   }
 
-  void add_caster(const Mesh& mesh) {
+  void add_caster(const Mesh& mesh, std::uint32_t object) {
+    object_ = object;
     check_light_is_clear(mesh, light_, to_light_);
     caster_ = static_cast<std::uint32_t>(trace_.header.casters.size());
     trace_.header.casters.push_back(
@@ -66,7 +67,7 @@ class Builder {
       if (soft_ && kind_ == fb::WedgeKind_linear) {
         add_linear_loop(corners, end_plane);
       } else {
-        add_loop(corners, end_plane);
+        add_loop(loop, corners, end_plane);
       }
     }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -82,7 +83,8 @@ class Builder {
   ShadowGeometry take() { return std::move(geometry_); }
 
  private:
-  void add_loop(const std::vector<glm::dvec3>& corners, const EndPlane& end_plane) {
+  void add_loop(const std::vector<SilhouetteEdge>& loop, const std::vector<glm::dvec3>& corners,
+                const EndPlane& end_plane) {
     std::vector<glm::dvec3> far;
     for (const glm::dvec3& p : corners) far.push_back(end_plane.reach(light_.centre, p));
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -90,6 +92,7 @@ class Builder {
       ShadowWedge shadow;
       shadow.begin = corners[i];
       shadow.end = corners[j];
+      shadow.source = {object_, loop[i].begin, loop[i].end};
       shadow.umbra = {corners[j], corners[i], far[i], far[j]};
       const glm::dvec4 quad = quad_plane(light_.centre, shadow.begin, shadow.end);
       std::uint32_t wedge = traces::kNone;
@@ -97,7 +100,8 @@ class Builder {
         wedge =
             add_wedge(coverage_wedge(light_, shadow.begin, shadow.end, end_plane), quad, shadow);
       }
-      add_umbra({shadow.umbra.begin(), shadow.umbra.end()}, quad, wedge, fb::UmbraRole_side);
+      add_umbra({shadow.umbra.begin(), shadow.umbra.end()}, quad, wedge, fb::UmbraRole_side,
+                shadow.source);
     }
     add_bottoms(far, end_plane);
   }
@@ -197,7 +201,7 @@ class Builder {
   }
 
   void add_umbra(const std::vector<glm::dvec3>& outline, const glm::dvec4& plane,
-                 std::uint32_t wedge, fb::UmbraRole role) {
+                 std::uint32_t wedge, fb::UmbraRole role, const EdgeSource& edge = {}) {
     const std::uint32_t reference = role == fb::UmbraRole_cap ? 0 : screen_.plane_reference(plane);
     const bool twisted = kind_ == fb::WedgeKind_linear || role == fb::UmbraRole_bottom;
     const std::uint32_t polygon =
@@ -206,6 +210,8 @@ class Builder {
     for (std::size_t i = geometry_.umbra_planes.size(); i < trace_.umbra_polygons.size(); ++i) {
       const bool turned = trace_.umbra_polygons[i].plane() != reference;
       geometry_.umbra_planes.emplace_back(turned ? -plane : plane);
+      geometry_.umbra_edges.push_back(turned ? EdgeSource{edge.object, edge.end, edge.begin}
+                                             : edge);
     }
     if (wedge != traces::kNone && polygon != traces::kNone) {
       trace_.wedges[wedge].mutate_umbra(polygon);
@@ -223,6 +229,7 @@ class Builder {
   Bounds bounds_;
   bool soft_;
   std::uint32_t caster_ = 0;
+  std::uint32_t object_ = 0;  // of the scene
   ShadowGeometry geometry_;
 };
 
@@ -246,10 +253,10 @@ ShadowGeometry build_shadow_geometry(const Scene& scene, const Window& window, f
                                      std::optional<double> length, const Bounds& receivers,
                                      traces::Trace& trace) {
   Builder builder(scene, window, kind, length, receivers, trace);
-  for (const Object& object : scene.objects) {
-    if (!object.casts) continue;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!scene.objects[i].casts) continue;
     try {
-      builder.add_caster(object.mesh);
+      builder.add_caster(scene.objects[i].mesh, static_cast<std::uint32_t>(i));
     } catch (const InputError& error) {
       throw InputError(scene.place, error.what());
     }

@@ -24,11 +24,20 @@ struct SidedPlane {
   bool inside(const glm::dvec3& p) const;
 };
 
+/// A directed silhouette edge by what it is made of: an object of the scene and two vertices of its
+/// mesh. Without an object where there is no such edge.
+struct EdgeSource {
+  std::uint32_t object = traces::kNone;
+  std::uint32_t begin = 0, end = 0;
+  bool exists() const { return object != traces::kNone; }
+};
+
 /// What the renderer knows of a wedge of the trace, in world and light space.
 struct ShadowWedge {
   std::vector<SidedPlane> planes;   // those that decide, at most kMaxPlanes
   SidedPlane umbra_plane;           // of its umbra polygon, into the shadow
   glm::dvec3 begin{0.0}, end{0.0};  // the silhouette edge, world space
+  EdgeSource source;                // coverage
   glm::dvec3 light_begin{0.0}, light_end{0.0};
   std::array<double, 6> factors{};    // linear
   std::array<glm::dvec3, 4> umbra{};  // the outline of its umbra polygon, world space
@@ -40,6 +49,9 @@ struct ShadowGeometry {
   traces::fb::WedgeKind kind = traces::fb::WedgeKind_coverage;
   std::vector<ShadowWedge> wedges;
   std::vector<SidedPlane> umbra_planes;
+  /// Of each umbra polygon in the plane through the light's centre and a silhouette edge: that
+  /// edge, directed so that its quad_plane turns inward as the polygon's does; of others, none.
+  std::vector<EdgeSource> umbra_edges;
   /// The light-facing triangles of all casters, world space.
   std::vector<std::array<glm::dvec3, 3>> caps;
   std::size_t degenerate_wedges = 0;  // edges whose wedge holds nothing

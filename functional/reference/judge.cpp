@@ -1,0 +1,251 @@
+#include "functional/reference/judge.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/check.h"
+#include "functional/methods/light_intensity.h"
+#include "functional/raster/spans.h"
+#include "functional/reference/judge_coverage.h"
+#include "functional/reference/judge_plane.h"
+#include "functional/reference/judge_view.h"
+
+namespace wedgesim::functional {
+namespace {
+
+namespace fb = traces::fb;
+
+// What a pixel's stored depth stands for.
+struct Point {
+  double z = 0.0;         // as the trace compares it with z_min and z_max
+  JudgedPlace in_centre;  // relative to the light's centre
+  JudgedPlace in_frame;   // where the planes are that the frame gives
+  RealVector in_light;
+};
+
+// A world point in the coordinates of the frame's own planes.
+RealVector frame_point(const RealVector& world) { return world; }
+
+struct Umbra {
+  bool in_centre = false;  // whether `plane` is of a quad, by the light's centre
+  JudgedPlane plane;
+  fb::UmbraRole role = fb::UmbraRole_side;
+  bool eye_facing = false;
+  double z_min = 0.0;
+  double z_max = 0.0;
+
+  bool inner(const Point& p) const {
+    if (p.z < z_min) return !eye_facing;
+    if (p.z > z_max) return eye_facing;
+    return plane.inside(in_centre ? p.in_centre : p.in_frame);
+  }
+  int share(fb::ZMethod method, const Point& p) const {
+    const int fail_sign = eye_facing ? 1 : -1;
+    if (role == fb::UmbraRole_cap) return fail_sign;
+    const bool passes = inner(p) == eye_facing;
+    if (method == fb::ZMethod_pass) return passes ? -fail_sign : 0;
+    return passes ? 0 : fail_sign;
+  }
+};
+
+struct Wedge {
+  std::vector<JudgedPlane> planes;  // coverage: the end plane alone
+  std::array<double, 6> factors{};  // linear
+  JudgedPlane quad;                 // coverage
+  RealVector begin, end;            // coverage, light space
+  glm::dvec3 rounded_begin{0.0}, rounded_end{0.0};
+  std::uint32_t umbra = traces::kNone;
+};
+
+class Judge {
+ public:
+  Judge(const Scene& scene, const Frame& frame, std::span<const std::size_t> pixels)
+      : scene_(scene),
+        frame_(frame),
+        pixels_(pixels),
+        method_(frame.trace.header.expected_z_method),
+        view_(scene.camera, frame.window.width, frame.window.height),
+        light_(scene.light),
+        eye_from_centre_(view_.eye() - RealVector(scene.light.centre)),
+        umbras_at_(pixels.size()) {
+    CHECK_EQ(frame.geometry.umbra_edges.size(), frame.trace.umbra_polygons.size());
+    CHECK_EQ(frame.geometry.wedges.size(), frame.trace.wedges.size());
+    for (std::size_t i = 0; i < frame.trace.umbra_polygons.size(); ++i) add_umbra(i);
+    find_covered();
+    for (std::size_t i = 0; i < frame.trace.wedges.size(); ++i) add_wedge(i);
+  }
+
+  std::vector<double> run(int depth_step) const {
+    std::vector<double> li(pixels_.size());
+    tbb::parallel_for(std::size_t{0}, pixels_.size(), [&](std::size_t i) {
+      li[i] = light_intensity(i, depth_step).convert_to<double>();
+    });
+    return li;
+  }
+
+ private:
+  RealVector from_centre(const EdgeSource& edge, std::uint32_t vertex) const {
+    const auto& positions = scene_.objects[edge.object].mesh.positions;
+    return RealVector(positions[vertex]) - RealVector(scene_.light.centre);
+  }
+  JudgedPlane quad_of(const EdgeSource& edge, std::uint32_t reference) const {
+    return {from_centre(edge, edge.begin), from_centre(edge, edge.end),
+            traces::is_minus(reference)};
+  }
+
+  void add_umbra(std::size_t i) {
+    const fb::UmbraPolygon& polygon = frame_.trace.umbra_polygons[i];
+    const EdgeSource& edge = frame_.geometry.umbra_edges[i];
+    Umbra umbra;
+    umbra.in_centre = edge.exists();
+    umbra.plane = edge.exists() ? quad_of(edge, polygon.plane())
+                                : JudgedPlane(frame_.geometry.umbra_planes[i]);
+    umbra.role = polygon.role();
+    umbra.z_min = polygon.z_min();
+    umbra.z_max = polygon.z_max();
+    umbras_.push_back(std::move(umbra));
+  }
+
+  // The umbra polygons that count at each of the pixels, and which way they face.
+  void find_covered() {
+    const auto width = static_cast<std::size_t>(frame_.window.width);
+    std::vector<std::uint32_t> place_of(frame_.depth.words.size(), traces::kNone);
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      place_of[pixels_[i]] = static_cast<std::uint32_t>(i);
+    }
+    for (std::size_t u = 0; u < umbras_.size(); ++u) {
+      const fb::UmbraPolygon& polygon = frame_.trace.umbra_polygons[u];
+      const auto outline = outline_of(frame_.trace, polygon.first_index(), polygon.index_count());
+      umbras_[u].eye_facing = doubled_area(outline) < 0;
+      if (method_ == fb::ZMethod_pass && umbras_[u].role != fb::UmbraRole_side) continue;
+      for_each_span(outline, frame_.window.width, 0, frame_.window.height,
+                    [&](int y, int x0, int x1) {
+                      for (int x = x0; x < x1; ++x) {
+                        const std::size_t pixel =
+                            static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+                        const std::uint32_t place = place_of[pixel];
+                        if (place != traces::kNone) {
+                          umbras_at_[place].push_back(static_cast<std::uint32_t>(u));
+                        }
+                      }
+                    });
+    }
+  }
+
+  void add_wedge(std::size_t i) {
+    const ShadowWedge& shadow = frame_.geometry.wedges[i];
+    const fb::Wedge& record = frame_.trace.wedges[i];
+    Wedge wedge;
+    wedge.umbra = record.umbra();
+    if (frame_.geometry.kind == fb::WedgeKind_linear) {
+      for (const SidedPlane& plane : shadow.planes) wedge.planes.emplace_back(plane);
+      wedge.factors = shadow.factors;
+    } else {
+      const EdgeSource& edge = shadow.source;
+      wedge.planes.emplace_back(shadow.planes.back());
+      wedge.quad = quad_of(edge, record.umbra_plane());
+      wedge.begin = light_(from_centre(edge, edge.begin));
+      wedge.end = light_(from_centre(edge, edge.end));
+      wedge.rounded_begin = to_double(wedge.begin);
+      wedge.rounded_end = to_double(wedge.end);
+    }
+    wedges_.push_back(std::move(wedge));
+  }
+
+  Point point_at(std::size_t pixel, int depth_step) const {
+    const fb::DepthFormat format = frame_.depth.format;
+    const std::uint32_t word = traces::step_depth(format, frame_.depth.words[pixel], depth_step);
+    const RealVector from_eye = view_.from_eye(pixel, judged_depth(format, word));
+    const RealVector centre = eye_from_centre_ + from_eye;
+    const double reach = magnitude(from_eye);
+    Point point;
+    point.z = traces::decode_depth(format, word);
+    point.in_centre = {centre, magnitude(eye_from_centre_) + reach};
+    point.in_frame = {frame_point(view_.eye() + from_eye), magnitude(view_.eye()) + reach};
+    point.in_light = light_(centre);
+    return point;
+  }
+
+  Real light_intensity(std::size_t place, int depth_step) const {
+    const Point point = point_at(pixels_[place], depth_step);
+    const std::vector<std::uint32_t>& covering = umbras_at_[place];
+    Real li = 1;
+    for (const std::uint32_t u : covering) li += umbras_[u].share(method_, point);
+    const CoverageFilter filter(scene_.light.shape, point.in_light);
+    for (const Wedge& wedge : wedges_) {
+      if (frame_.geometry.kind == fb::WedgeKind_linear) {
+        li += linear_share(wedge, point);
+      } else if (filter.may_cover(wedge.rounded_begin, wedge.rounded_end)) {
+        li += coverage_share(wedge, point, covering);
+      }
+    }
+    return li;
+  }
+
+  Real coverage_share(const Wedge& wedge, const Point& point,
+                      const std::vector<std::uint32_t>& covering) const {
+    if (!wedge.planes.front().inside(point.in_frame)) return 0;
+    const Real covered =
+        judged_coverage(scene_.light.shape, point.in_light, wedge.begin, wedge.end);
+    if (covered == 0) return 0;
+    const bool by_polygon = wedge.umbra != traces::kNone &&
+                            std::binary_search(covering.begin(), covering.end(), wedge.umbra);
+    const bool inner =
+        by_polygon ? umbras_[wedge.umbra].inner(point) : wedge.quad.inside(point.in_centre);
+    return inner ? covered : Real(-covered);
+  }
+
+  // Paper I, Eqs. 2 and 3.
+  Real linear_share(const Wedge& wedge, const Point& point) const {
+    const JudgedPlace& p = point.in_frame;
+    for (const JudgedPlane& plane : wedge.planes) {
+      if (!plane.inside(p)) return 0;
+    }
+    const auto distance = [&](std::size_t plane, std::size_t factor) {
+      return Real(abs(wedge.planes[plane].value(p)) * wedge.factors[factor]);
+    };
+    const auto ratio = [](const Real& a, const Real& b) {
+      const Real sum = a + b;
+      return sum > 0 ? Real(a / sum) : Real(0.5);
+    };
+    const Real s_left = ratio(distance(1, 1), distance(0, 0));
+    const Real s_right = ratio(distance(1, 3), distance(0, 2));
+    const Real share = ratio(distance(3, 5), distance(2, 4));
+    return share * s_left + (1 - share) * s_right;
+  }
+
+  const Scene& scene_;
+  const Frame& frame_;
+  std::span<const std::size_t> pixels_;
+  fb::ZMethod method_;
+  JudgedView view_;
+  JudgedLight light_;
+  RealVector eye_from_centre_;
+  std::vector<Umbra> umbras_;
+  std::vector<Wedge> wedges_;
+  std::vector<std::vector<std::uint32_t>> umbras_at_;  // each of pixels_: in order
+};
+
+}  // namespace
+
+std::vector<double> judge_light_intensity(const Scene& scene, const Frame& frame,
+                                          std::span<const std::size_t> pixels, int depth_step) {
+  return Judge(scene, frame, pixels).run(depth_step);
+}
+
+std::vector<double> judge_sensitivity(const Scene& scene, const Frame& frame,
+                                      std::span<const std::size_t> pixels) {
+  const Judge judge(scene, frame, pixels);
+  std::vector<double> change = judge.run(0);
+  const std::vector<double> nearer = judge.run(-1);
+  const std::vector<double> farther = judge.run(1);
+  for (std::size_t i = 0; i < change.size(); ++i) {
+    change[i] = std::max(std::abs(nearer[i] - change[i]), std::abs(farther[i] - change[i]));
+  }
+  return change;
+}
+
+}  // namespace wedgesim::functional

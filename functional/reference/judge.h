@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "functional/methods/frame.h"
+
+namespace wedgesim::functional {
+
+/// The light intensity of pixels of a frame as docs/trace.md defines it, in 200-bit arithmetic. The
+/// trace gives what is decided once for all: the snapped umbra polygons, their z_min and z_max, the
+/// stored depths, the signs of plane references, the method (expected_z_method). Everything else
+/// comes from the scene as it was given: the camera makes the point of a stored depth; the plane of
+/// an umbra polygon goes through the light's centre and a silhouette edge.
+///
+/// Penumbra of kind coverage: what an edge hides of the light is computed at every pixel before the
+/// end plane, without the wedge's planes and polygons; a wedge that is too tight shows as an error.
+/// Of kind linear: the wedge's planes and factors are data, evaluated exactly. End planes are data
+/// for both.
+///
+/// A value on a plane is one that is less than 2^-175 of its terms. Degenerate edges: see
+/// judge_coverage.h; no input gives a NaN.
+/// \param frame       of this scene, by make_frame
+/// \param pixels      indices into the frame's depth, each once; those of the sky mean nothing
+/// \param depth_step  0, or the intensity if the stored z were one step nearer (-1) or farther (1)
+/// \return            one for each of pixels, not clamped, rounded to double
+std::vector<double> judge_light_intensity(const Scene& scene, const Frame& frame,
+                                          std::span<const std::size_t> pixels, int depth_step = 0);
+
+/// The larger change of the judged intensity when the stored z moves one step up or down.
+std::vector<double> judge_sensitivity(const Scene& scene, const Frame& frame,
+                                      std::span<const std::size_t> pixels);
+
+}  // namespace wedgesim::functional
