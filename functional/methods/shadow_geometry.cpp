@@ -100,8 +100,12 @@ class Builder {
         wedge =
             add_wedge(coverage_wedge(light_, shadow.begin, shadow.end, end_plane), quad, shadow);
       }
-      add_umbra({shadow.umbra.begin(), shadow.umbra.end()}, quad, wedge, fb::UmbraRole_side,
-                shadow.source);
+      const std::uint32_t umbra = add_umbra({shadow.umbra.begin(), shadow.umbra.end()}, quad, wedge,
+                                            fb::UmbraRole_side, shadow.source);
+      if (soft_ && wedge == traces::kNone) {
+        geometry_.bare_edges.push_back(
+            {shadow.source, SidedPlane(quad), SidedPlane(end_plane.plane), umbra});
+      }
     }
     add_bottoms(far, end_plane);
   }
@@ -200,8 +204,8 @@ class Builder {
     return index;
   }
 
-  void add_umbra(const std::vector<glm::dvec3>& outline, const glm::dvec4& plane,
-                 std::uint32_t wedge, fb::UmbraRole role, const EdgeSource& edge = {}) {
+  std::uint32_t add_umbra(const std::vector<glm::dvec3>& outline, const glm::dvec4& plane,
+                          std::uint32_t wedge, fb::UmbraRole role, const EdgeSource& edge = {}) {
     const std::uint32_t reference = role == fb::UmbraRole_cap ? 0 : screen_.plane_reference(plane);
     const bool twisted = kind_ == fb::WedgeKind_linear || role == fb::UmbraRole_bottom;
     const std::uint32_t polygon =
@@ -217,6 +221,7 @@ class Builder {
       trace_.wedges[wedge].mutate_umbra(polygon);
       trace_.wedges[wedge].mutate_umbra_plane(trace_.umbra_polygons[polygon].plane());
     }
+    return polygon;
   }
 
   const Light& light_;

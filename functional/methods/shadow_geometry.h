@@ -43,6 +43,14 @@ struct ShadowWedge {
   std::array<glm::dvec3, 4> umbra{};  // the outline of its umbra polygon, world space
 };
 
+/// A silhouette edge of a light with extent that has no wedge in the trace, for whatever reason.
+struct BareEdge {
+  EdgeSource source;
+  SidedPlane umbra_plane;               // as a wedge's
+  SidedPlane end_plane;                 // inside: before the end of the volumes
+  std::uint32_t umbra = traces::kNone;  // its umbra polygon in the trace
+};
+
 /// All shadow volumes of a frame: wedges[i] is the i-th wedge of the trace, umbra_planes[i] belongs
 /// to its i-th umbra polygon.
 struct ShadowGeometry {
@@ -52,6 +60,7 @@ struct ShadowGeometry {
   /// Of each umbra polygon in the plane through the light's centre and a silhouette edge: that
   /// edge, directed so that its quad_plane turns inward as the polygon's does; of others, none.
   std::vector<EdgeSource> umbra_edges;
+  std::vector<BareEdge> bare_edges;  // coverage
   /// The light-facing triangles of all casters, world space.
   std::vector<std::array<glm::dvec3, 3>> caps;
   std::size_t degenerate_wedges = 0;  // edges whose wedge holds nothing

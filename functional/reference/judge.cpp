@@ -22,12 +22,9 @@ namespace fb = traces::fb;
 struct Point {
   double z = 0.0;         // as the trace compares it with z_min and z_max
   JudgedPlace in_centre;  // relative to the light's centre
-  JudgedPlace in_frame;   // where the planes are that the frame gives
+  JudgedPlace in_frame;   // relative to the origin of the frame's own planes
   RealVector in_light;
 };
-
-// A world point in the coordinates of the frame's own planes.
-RealVector frame_point(const RealVector& world) { return world; }
 
 struct Umbra {
   bool in_centre = false;  // whether `plane` is of a quad, by the light's centre
@@ -70,12 +67,14 @@ class Judge {
         view_(scene.camera, frame.window.width, frame.window.height),
         light_(scene.light),
         eye_from_centre_(view_.eye() - RealVector(scene.light.centre)),
+        eye_from_origin_(view_.eye() - RealVector(frame.origin)),
         umbras_at_(pixels.size()) {
     CHECK_EQ(frame.geometry.umbra_edges.size(), frame.trace.umbra_polygons.size());
     CHECK_EQ(frame.geometry.wedges.size(), frame.trace.wedges.size());
     for (std::size_t i = 0; i < frame.trace.umbra_polygons.size(); ++i) add_umbra(i);
     find_covered();
     for (std::size_t i = 0; i < frame.trace.wedges.size(); ++i) add_wedge(i);
+    for (const BareEdge& edge : frame.geometry.bare_edges) add_edge(edge);
   }
 
   std::vector<double> run(int depth_step) const {
@@ -91,9 +90,8 @@ class Judge {
     const auto& positions = scene_.objects[edge.object].mesh.positions;
     return RealVector(positions[vertex]) - RealVector(scene_.light.centre);
   }
-  JudgedPlane quad_of(const EdgeSource& edge, std::uint32_t reference) const {
-    return {from_centre(edge, edge.begin), from_centre(edge, edge.end),
-            traces::is_minus(reference)};
+  JudgedPlane quad_of(const EdgeSource& edge, bool minus) const {
+    return {from_centre(edge, edge.begin), from_centre(edge, edge.end), minus};
   }
 
   void add_umbra(std::size_t i) {
@@ -101,7 +99,7 @@ class Judge {
     const EdgeSource& edge = frame_.geometry.umbra_edges[i];
     Umbra umbra;
     umbra.in_centre = edge.exists();
-    umbra.plane = edge.exists() ? quad_of(edge, polygon.plane())
+    umbra.plane = edge.exists() ? quad_of(edge, frame_.geometry.umbra_planes[i].minus)
                                 : JudgedPlane(frame_.geometry.umbra_planes[i]);
     umbra.role = polygon.role();
     umbra.z_min = polygon.z_min();
@@ -138,20 +136,24 @@ class Judge {
   void add_wedge(std::size_t i) {
     const ShadowWedge& shadow = frame_.geometry.wedges[i];
     const fb::Wedge& record = frame_.trace.wedges[i];
-    Wedge wedge;
-    wedge.umbra = record.umbra();
-    if (frame_.geometry.kind == fb::WedgeKind_linear) {
-      for (const SidedPlane& plane : shadow.planes) wedge.planes.emplace_back(plane);
-      wedge.factors = shadow.factors;
-    } else {
-      const EdgeSource& edge = shadow.source;
-      wedge.planes.emplace_back(shadow.planes.back());
-      wedge.quad = quad_of(edge, record.umbra_plane());
-      wedge.begin = light_(from_centre(edge, edge.begin));
-      wedge.end = light_(from_centre(edge, edge.end));
-      wedge.rounded_begin = to_double(wedge.begin);
-      wedge.rounded_end = to_double(wedge.end);
+    if (frame_.geometry.kind != fb::WedgeKind_linear) {
+      add_edge({shadow.source, shadow.umbra_plane, shadow.planes.back(), record.umbra()});
+      return;
     }
+    Wedge wedge;
+    for (const SidedPlane& plane : shadow.planes) wedge.planes.emplace_back(plane);
+    wedge.factors = shadow.factors;
+    wedges_.push_back(std::move(wedge));
+  }
+  void add_edge(const BareEdge& bare) {
+    Wedge wedge;
+    wedge.umbra = bare.umbra;
+    wedge.planes.emplace_back(bare.end_plane);
+    wedge.quad = quad_of(bare.source, bare.umbra_plane.minus);
+    wedge.begin = light_(from_centre(bare.source, bare.source.begin));
+    wedge.end = light_(from_centre(bare.source, bare.source.end));
+    wedge.rounded_begin = to_double(wedge.begin);
+    wedge.rounded_end = to_double(wedge.end);
     wedges_.push_back(std::move(wedge));
   }
 
@@ -164,7 +166,7 @@ class Judge {
     Point point;
     point.z = traces::decode_depth(format, word);
     point.in_centre = {centre, magnitude(eye_from_centre_) + reach};
-    point.in_frame = {frame_point(view_.eye() + from_eye), magnitude(view_.eye()) + reach};
+    point.in_frame = {eye_from_origin_ + from_eye, magnitude(eye_from_origin_) + reach};
     point.in_light = light_(centre);
     return point;
   }
@@ -223,7 +225,7 @@ class Judge {
   fb::ZMethod method_;
   JudgedView view_;
   JudgedLight light_;
-  RealVector eye_from_centre_;
+  RealVector eye_from_centre_, eye_from_origin_;
   std::vector<Umbra> umbras_;
   std::vector<Wedge> wedges_;
   std::vector<std::vector<std::uint32_t>> umbras_at_;  // each of pixels_: in order

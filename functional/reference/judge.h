@@ -15,9 +15,9 @@ namespace wedgesim::functional {
 /// an umbra polygon goes through the light's centre and a silhouette edge.
 ///
 /// Penumbra of kind coverage: what an edge hides of the light is computed at every pixel before the
-/// end plane, without the wedge's planes and polygons; a wedge that is too tight shows as an error.
-/// Of kind linear: the wedge's planes and factors are data, evaluated exactly. End planes are data
-/// for both.
+/// end plane, without the wedge's planes and polygons; a wedge that is too tight or lost shows as
+/// an error. Of kind linear: the wedge's planes and factors are data, evaluated exactly. End planes
+/// are data for both.
 ///
 /// A value on a plane is one that is less than 2^-175 of its terms. Degenerate edges: see
 /// judge_coverage.h; no input gives a NaN.

@@ -16,8 +16,8 @@ using HalfPlane = RealVector;
 // More than what double rounds off, relative to the terms.
 constexpr double kRounding = 1e-12;
 
-// Drops the part of a segment behind the point; false if nothing is left.
-bool clip_behind(RealVector& a, RealVector& b, const Real& wa, const Real& wb) {
+// Keeps the part of a segment where what is wa and wb at its ends is positive; false if nothing is.
+bool keep_part(RealVector& a, RealVector& b, const Real& wa, const Real& wb) {
   if (wa <= 0 && wb <= 0) return false;
   if (wa >= 0 && wb >= 0) return true;
   const RealVector middle = a + Real(wa / (wa - wb)) * (b - a);
@@ -97,7 +97,7 @@ Real judged_rectangle_coverage(const RealVector& point, const RealVector& begin,
   Seen q = seen(end);
   const double terms =
       magnitude(point) * (magnitude(begin) * magnitude(q) + magnitude(end) * magnitude(p));
-  if (!clip_behind(p, q, Real(p.z), Real(q.z))) return 0;
+  if (!keep_part(p, q, Real(p.z), Real(q.z))) return 0;
   HalfPlane beyond = cross(p, q);
   drop_rounding(beyond.x, terms);
   drop_rounding(beyond.y, terms);
@@ -129,7 +129,13 @@ Real judged_sphere_coverage(const RealVector& point, const RealVector& begin,
   const double terms = magnitude(point) + magnitude(begin) + magnitude(end);
   if (magnitude(normal) <= kRealTie * terms * terms) return 0;
   const RealVector towards = Real(-1) * point;  // the light, of length sqrt(distance_squared)
-  if (!clip_behind(a, b, dot(a, towards), dot(b, towards))) return 0;
+  // Between the point and the sphere: not behind the point, nor beyond the circle where its tangent
+  // cone touches (x·point = 1). What is in the cone cannot pass that circle outside the sphere.
+  const auto before_light = [&](const RealVector& e) {
+    return Real(distance_squared - 1 - dot(e, towards));
+  };
+  if (!keep_part(a, b, before_light(a), before_light(b))) return 0;
+  if (!keep_part(a, b, dot(a, towards), dot(b, towards))) return 0;
   // In the plane across the cone's axis where the disc's radius is 1, the edge's line has its foot
   // at `foot` from the centre and goes along n × axis.
   const Real root = sqrt(Real(distance_squared - 1));

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <iostream>
 
-#include "base/error.h"
 #include "functional/methods/light_intensity.h"
+#include "functional/scene/origin.h"
+#include "functional/scene/primitives.h"
 #include "functional/scene/scene_file.h"
-#include "tests/functional/random.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -131,6 +131,105 @@ TEST(Judge, SeesPlantedErrors) {
                 }
               }),
               0U);
+  }
+}
+
+// Is a scene far from the world's origin judged by what it is, not by where it is?
+TEST(Judge, KnowsTheFramesOrigin) {
+  for (const fb::WedgeKind kind : {fb::WedgeKind_coverage, fb::WedgeKind_linear}) {
+    const View view{"cylinder", LightShape::rectangle, kind};
+    const glm::dvec3 offset(1e5, -3e5, 2e5);
+    const Scene scene = taken_from(scene_of(view), offset);
+    const Frame frame = frame_of(scene, view);
+    ASSERT_NE(frame.origin, glm::dvec3(0.0));
+    const Comparison result = compare(scene, frame, frame.trace.expected_li);
+    std::cout << "largest difference " << result.largest << '\n';
+    EXPECT_GT(result.pixels, 1000U);
+    EXPECT_EQ(result.off, 0U);
+  }
+}
+
+// Does an edge without a wedge count for the judge as one with it?
+TEST(Judge, MissesALostWedge) {
+  const View view{"cylinder", LightShape::rectangle};
+  const Scene scene = scene_of(view);
+  Frame frame = frame_of(scene, view);
+  EXPECT_TRUE(frame.geometry.bare_edges.empty());
+  const std::vector<std::size_t> pixels = surfaces_of(frame);
+  const std::vector<double> before = judge_light_intensity(scene, frame, pixels);
+  const ShadowWedge& lost = frame.geometry.wedges.back();
+  frame.geometry.bare_edges.push_back(
+      {lost.source, lost.umbra_plane, lost.planes.back(), frame.trace.wedges.back().umbra()});
+  frame.geometry.wedges.pop_back();
+  frame.trace.wedges.pop_back();
+  EXPECT_EQ(judge_light_intensity(scene, frame, pixels), before);
+  frame.geometry.bare_edges.clear();
+  EXPECT_NE(judge_light_intensity(scene, frame, pixels), before);
+}
+
+// Is the sensitivity that of the trace, where both are more than rounding?
+TEST(Judge, SensitivityIsTheTraces) {
+  const View view{"cylinder", LightShape::sphere, fb::WedgeKind_coverage, fb::DepthFormat_unorm16};
+  const Scene scene = scene_of(view);
+  const Frame frame = frame_of(scene, view);
+  const std::vector<std::size_t> pixels = surfaces_of(frame);
+  const std::vector<double> judged = judge_sensitivity(scene, frame, pixels);
+  int sensitive = 0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    ASSERT_NEAR(judged[i], frame.trace.li_sensitivity[pixels[i]], 1e-7) << pixels[i];
+    if (judged[i] > 1e-4) ++sensitive;
+  }
+  EXPECT_GT(sensitive, 100);
+}
+
+Object object_of(Mesh mesh, const glm::dvec3& shift, bool casts) {
+  for (glm::dvec3& p : mesh.positions) p += shift;
+  return {std::move(mesh), casts};
+}
+
+// A ball over a floor, some of its vertices in one place, and a box with an edge that points at the
+// light's centre but for 1e-9.
+Scene degenerate_scene(LightShape light) {
+  Scene scene;
+  scene.width = 32;
+  scene.height = 24;
+  scene.camera = {{0.0, 2.5, 4.0}, {0.0, 0.5, 0.0}};
+  scene.light.shape = light;
+  scene.light.centre = {0.5 + 1e-9, 3.0, 0.5 - 1e-9};
+  scene.light.half_u = {0.3, 0.0, 0.0};
+  scene.light.half_v = {0.0, 0.0, 0.3};
+  scene.light.radius = 0.3;
+  Mesh ball = make_sphere(0.4, 8, 6);
+  for (const std::size_t triangle : {3U, 20U, 41U}) {
+    const auto& corners = ball.triangles[triangle];
+    ball.positions[corners[0]] = ball.positions[corners[1]];
+  }
+  scene.objects = {object_of(make_plane({6.0, 6.0}, {1, 1}), {}, false),
+                   object_of(ball, {-0.8, 1.0, 0.0}, true),
+                   object_of(make_box({1.0, 1.0, 1.0}), {}, true)};
+  return scene;
+}
+
+// Edges of no length, edges at the light, the eye at the light: does every pixel get a number?
+TEST(Judge, GivesNumbersForDegenerateInput) {
+  for (const LightShape light : {LightShape::rectangle, LightShape::sphere, LightShape::point}) {
+    for (const fb::WedgeKind kind : {fb::WedgeKind_coverage, fb::WedgeKind_linear}) {
+      for (const bool eye_at_light : {false, true}) {
+        Scene scene = degenerate_scene(light);
+        if (eye_at_light) scene.camera.eye = scene.light.centre;
+        const Frame frame = frame_of(scene, {"", light, kind});
+        const std::vector<std::size_t> pixels = surfaces_of(frame);
+        ASSERT_GT(pixels.size(), 300U);
+        int shadowed = 0;
+        for (const int step : {-1, 0, 1}) {
+          for (const double li : judge_light_intensity(scene, frame, pixels, step)) {
+            ASSERT_TRUE(std::abs(li) <= 2.0) << li;
+            if (li < 0.5) ++shadowed;
+          }
+        }
+        EXPECT_GT(shadowed, eye_at_light ? -1 : 50);
+      }
+    }
   }
 }
 
