@@ -8,7 +8,9 @@ namespace wedgesim::reports::stress {
 std::span<const Family> families() {
   static const std::vector<Family> all = [] {
     std::vector<Family> result;
-    for (const auto& group : {edge_families, light_families}) {
+    for (const auto& group :
+         {edge_families, light_families, receiver_families, depth_range_families,
+          placement_families, eye_families, count_families, raster_families}) {
       std::ranges::move(group(), std::back_inserter(result));
     }
     return result;

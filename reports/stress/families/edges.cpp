@@ -7,10 +7,8 @@
 namespace wedgesim::reports::stress {
 namespace {
 
-constexpr double kLightRadius = 0.8;
 constexpr double kNearer = 3.0;  // depths of the ends of edges along the light's direction
 constexpr double kFarther = 5.0;
-constexpr double kAcross = 0.28;  // slope from the middle of a caster to its corners
 
 // Where edges run along the light's direction, linear wedges are sensible only of lights that the
 // edges' lines miss at the harmless end.

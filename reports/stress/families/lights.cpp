@@ -10,21 +10,21 @@
 namespace wedgesim::reports::stress {
 namespace {
 
-constexpr double kLightRadius = 1.2;
+constexpr double kRadius = 1.2;
 
 // The camera looks along the plane of one edge's shadow, past the edge's end, and sees a strip
 // around the edge's penumbra, however thin: there a step of stored z changes little.
 Case small_light(std::uint64_t seed, double ratio) {
-  Stage stage = make_stage(seed, kLightRadius * ratio);
+  Stage stage = make_stage(seed, kRadius * ratio);
   const functional::Light& light = stage.light();
   const std::vector<Slope> corners =
-      ring(stage.aim, kLightRadius / kDepth, 4, stage.random.between(0.0, 1.5));
+      ring(stage.aim, kRadius / kDepth, 4, stage.random.between(0.0, 1.5));
   std::vector<glm::dvec3> loop;
   for (const Slope& slope : corners) loop.push_back(below(light, slope, kDepth));
   add_caster(stage.result, between_pyramids(light, stage.aim, loop));
 
   const glm::dvec3 along = glm::normalize(loop[1] - loop[0]);
-  const double penumbra = 2.0 * kLightRadius * ratio * (kSize - kDepth) / kDepth;
+  const double penumbra = 2.0 * kRadius * ratio * (kSize - kDepth) / kDepth;
   // At ratio 0 as at the smallest before it.
   const double width = ratio > 0.0 ? penumbra : 1e-9;
   functional::Camera& camera = stage.camera();
@@ -39,9 +39,9 @@ Case small_light(std::uint64_t seed, double ratio) {
 // Near the light, so that the penumbra is large.
 Case large_light(std::uint64_t seed, double ratio) {
   constexpr double kNear = 3.0;
-  Stage stage = make_stage(seed, kLightRadius);
+  Stage stage = make_stage(seed, kRadius);
   std::vector<glm::dvec3> loop;
-  const double radius = kLightRadius / ratio / kNear;
+  const double radius = kRadius / ratio / kNear;
   for (const Slope& slope : ring(stage.aim, radius, 4, stage.random.between(0.0, 1.5))) {
     loop.push_back(below(stage.light(), slope, kNear));
   }
@@ -51,20 +51,20 @@ Case large_light(std::uint64_t seed, double ratio) {
 
 // A box below the light: smaller than it while there is a gap, round it from there on.
 Case touching_light(std::uint64_t seed, double gap) {
-  constexpr double kRadius = 0.5;
-  Stage stage = make_stage(seed, kRadius);
+  constexpr double kSmall = 0.5;
+  Stage stage = make_stage(seed, kSmall);
   functional::Light& light = stage.light();
   double bottom = light.centre.y;
   if (light.shape == functional::LightShape::rectangle) {
-    light.half_u = {kRadius, 0.0, 0.0};
-    light.half_v = {0.0, 0.0, kRadius};
+    light.half_u = {kSmall, 0.0, 0.0};
+    light.half_v = {0.0, 0.0, kSmall};
   } else {
-    bottom -= kRadius;
+    bottom -= kSmall;
   }
-  const double width = (gap < 0.0 ? 3.0 : 0.75) * kRadius;
-  const double height = (gap < 0.0 ? 6.0 : 0.5) * kRadius;
+  const double width = (gap < 0.0 ? 3.0 : 0.75) * kSmall;
+  const double height = (gap < 0.0 ? 6.0 : 0.5) * kSmall;
   functional::Placement placement;
-  placement.position = {light.centre.x, bottom - gap * kRadius - height, light.centre.z};
+  placement.position = {light.centre.x, bottom - gap * kSmall - height, light.centre.z};
   add_caster(stage.result,
              functional::placed(functional::make_box({width, height, width}), placement));
   return std::move(stage.result);

@@ -130,6 +130,15 @@ functional::Mesh between_pyramids(const Light& light, const Slope& middle,
   return mesh;
 }
 
+std::vector<glm::dvec3> add_plate(Stage& stage) {
+  std::vector<glm::dvec3> loop;
+  for (const Slope& slope : ring(stage.aim, kAcross, 4, stage.random.between(0.0, 1.5))) {
+    loop.push_back(below(stage.light(), slope, kDepth));
+  }
+  add_caster(stage.result, between_pyramids(stage.light(), stage.aim, loop));
+  return loop;
+}
+
 void add_caster(Case& result, functional::Mesh mesh, const std::string& name) {
   mesh.name = name;
   functional::Object object;

@@ -18,6 +18,10 @@ namespace wedgesim::reports::stress {
 inline constexpr double kSize = 8.0;
 /// Along the edge of the floor.
 inline constexpr double kFloorSide = 3.0 * kSize;
+/// Of a light where nothing is said about it.
+inline constexpr double kLightRadius = 0.8;
+/// Slope from the middle of a caster to its corners.
+inline constexpr double kAcross = 0.28;
 /// How far below the light casters are that need no other place.
 inline constexpr double kDepth = 5.0;
 
@@ -68,6 +72,10 @@ std::vector<Slope> ring(const Slope& middle, double radius, int corners, double 
 /// \param loop    corners from +x towards +z
 functional::Mesh between_pyramids(const functional::Light& light, const Slope& middle,
                                   const std::vector<glm::dvec3>& loop);
+
+/// A square round the aim at kDepth: a harmless caster.
+/// \return its corners, from +x towards +z
+std::vector<glm::dvec3> add_plate(Stage& stage);
 
 void add_caster(Case& result, functional::Mesh mesh, const std::string& name = "caster");
 
