@@ -210,6 +210,32 @@ Scene degenerate_scene(LightShape light) {
   return scene;
 }
 
+// A box beside the plane x = 0, in which the eye, the light's centre and the middle column of
+// pixels lie: does the judge put points on the shadow quad where the trace's rule puts them?
+TEST(Judge, TiesGoAsInTheTrace) {
+  for (const LightShape light : {LightShape::rectangle, LightShape::sphere}) {
+    for (const double side : {0.5, -0.5}) {
+      Scene scene = degenerate_scene(light);
+      scene.width = 33;
+      scene.light.centre = {0.0, 3.0, 0.0};
+      scene.objects = {object_of(make_plane({6.0, 6.0}, {1, 1}), {}, false),
+                       object_of(make_box({1.0, 0.5, 1.0}), {side, 0.5, 0.0}, true)};
+      const Frame frame = frame_of(scene, {"", light});
+      std::vector<std::size_t> column;
+      for (const std::size_t pixel : surfaces_of(frame)) {
+        if (pixel % 33 == 16) column.push_back(pixel);
+      }
+      const std::vector<double> judged = judge_light_intensity(scene, frame, column);
+      int half = 0;
+      for (std::size_t i = 0; i < column.size(); ++i) {
+        EXPECT_NEAR(frame.trace.expected_li[column[i]], judged[i], kTolerance) << column[i];
+        if (std::abs(std::abs(judged[i] - 1.0) - 0.5) < 1e-9) ++half;
+      }
+      EXPECT_GT(half, 2);
+    }
+  }
+}
+
 // Edges of no length, edges at the light, the eye at the light: does every pixel get a number?
 TEST(Judge, GivesNumbersForDegenerateInput) {
   for (const LightShape light : {LightShape::rectangle, LightShape::sphere, LightShape::point}) {
