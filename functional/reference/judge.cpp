@@ -17,6 +17,8 @@ namespace wedgesim::functional {
 namespace {
 
 namespace fb = traces::fb;
+// Pixels that each wedge is fetched for.
+constexpr std::size_t kBlock = 32;
 
 // What a pixel's stored depth stands for.
 struct Point {
@@ -53,8 +55,11 @@ struct Wedge {
   std::array<double, 6> factors{};  // linear
   JudgedPlane quad;                 // coverage
   RealVector begin, end;            // coverage, light space
-  glm::dvec3 rounded_begin{0.0}, rounded_end{0.0};
   std::uint32_t umbra = traces::kNone;
+};
+// The edge of a wedge in light space, apart from it: of many wedges most are asked for no more.
+struct RoundedEdge {
+  glm::dvec3 begin, end;
 };
 
 class Judge {
@@ -79,8 +84,10 @@ class Judge {
 
   std::vector<double> run(int depth_step) const {
     std::vector<double> li(pixels_.size());
-    tbb::parallel_for(std::size_t{0}, pixels_.size(), [&](std::size_t i) {
-      li[i] = light_intensity(i, depth_step).convert_to<double>();
+    const std::size_t blocks = (pixels_.size() + kBlock - 1) / kBlock;
+    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+      const std::size_t end = std::min(pixels_.size(), (block + 1) * kBlock);
+      evaluate(block * kBlock, end, depth_step, li);
     });
     return li;
   }
@@ -152,8 +159,7 @@ class Judge {
     wedge.quad = quad_of(bare.source, bare.umbra_plane.minus);
     wedge.begin = light_(from_centre(bare.source, bare.source.begin));
     wedge.end = light_(from_centre(bare.source, bare.source.end));
-    wedge.rounded_begin = to_double(wedge.begin);
-    wedge.rounded_end = to_double(wedge.end);
+    edges_.push_back({to_double(wedge.begin), to_double(wedge.end)});
     wedges_.push_back(std::move(wedge));
   }
 
@@ -171,20 +177,33 @@ class Judge {
     return point;
   }
 
-  Real light_intensity(std::size_t place, int depth_step) const {
-    const Point point = point_at(pixels_[place], depth_step);
-    const std::vector<std::uint32_t>& covering = umbras_at_[place];
+  struct Sum {
+    Point point;
+    const std::vector<std::uint32_t>* covering;
+    CoverageFilter filter;
     Real li = 1;
-    for (const std::uint32_t u : covering) li += umbras_[u].share(method_, point);
-    const CoverageFilter filter(scene_.light.shape, point.in_light);
-    for (const Wedge& wedge : wedges_) {
-      if (frame_.geometry.kind == fb::WedgeKind_linear) {
-        li += linear_share(wedge, point);
-      } else if (filter.may_cover(wedge.rounded_begin, wedge.rounded_end)) {
-        li += coverage_share(wedge, point, covering);
+  };
+
+  void evaluate(std::size_t begin, std::size_t end, int depth_step, std::vector<double>& li) const {
+    std::vector<Sum> sums;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Point point = point_at(pixels_[i], depth_step);
+      sums.push_back({point, &umbras_at_[i], {scene_.light.shape, point.in_light}});
+      for (const std::uint32_t u : umbras_at_[i]) {
+        sums.back().li += umbras_[u].share(method_, point);
       }
     }
-    return li;
+    const bool linear = frame_.geometry.kind == fb::WedgeKind_linear;
+    for (std::size_t w = 0; w < wedges_.size(); ++w) {
+      for (Sum& sum : sums) {
+        if (linear) {
+          sum.li += linear_share(wedges_[w], sum.point);
+        } else if (sum.filter.may_cover(edges_[w].begin, edges_[w].end)) {
+          sum.li += coverage_share(wedges_[w], sum.point, *sum.covering);
+        }
+      }
+    }
+    for (std::size_t i = begin; i < end; ++i) li[i] = sums[i - begin].li.convert_to<double>();
   }
 
   Real coverage_share(const Wedge& wedge, const Point& point,
@@ -228,6 +247,7 @@ class Judge {
   RealVector eye_from_centre_, eye_from_origin_;
   std::vector<Umbra> umbras_;
   std::vector<Wedge> wedges_;
+  std::vector<RoundedEdge> edges_;                     // coverage: of each of wedges_
   std::vector<std::vector<std::uint32_t>> umbras_at_;  // each of pixels_: in order
 };
 

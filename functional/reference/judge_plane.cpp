@@ -14,18 +14,20 @@ constexpr double kTooSmall = 1e-280;
 }  // namespace
 
 JudgedPlane::JudgedPlane(const RealVector& begin, const RealVector& end, bool minus)
-    : normal_(minus ? cross(begin, end) : cross(end, begin)),
-      rounded_normal_(to_double(normal_)),
+    : minus_(minus),
       normal_terms_(magnitude(begin) * magnitude(end)),
-      minus_(minus) {}
+      normal_(minus ? cross(begin, end) : cross(end, begin)) {
+  rounded_normal_ = to_double(normal_);
+}
 
 JudgedPlane::JudgedPlane(const SidedPlane& plane)
-    : normal_(glm::dvec3(plane.plane)),
-      offset_(plane.plane.w),
-      rounded_normal_(plane.plane),
+    : rounded_normal_(plane.plane),
       rounded_offset_(plane.plane.w),
-      normal_terms_(magnitude(normal_)),
-      minus_(plane.minus) {}
+      minus_(plane.minus),
+      normal_(glm::dvec3(plane.plane)),
+      offset_(plane.plane.w) {
+  normal_terms_ = magnitude(normal_);
+}
 
 Real JudgedPlane::value(const JudgedPlace& place) const {
   const Real value = dot(normal_, place.exact) + offset_;

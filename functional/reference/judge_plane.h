@@ -32,12 +32,12 @@ class JudgedPlane {
   bool inside(const JudgedPlace& place) const;
 
  private:
-  RealVector normal_;
-  Real offset_ = 0;
   glm::dvec3 rounded_normal_{0.0};
   double rounded_offset_ = 0.0;
-  double normal_terms_ = 0.0;
   bool minus_ = false;
+  double normal_terms_ = 0.0;
+  RealVector normal_;
+  Real offset_ = 0;
 };
 
 }  // namespace wedgesim::functional
