@@ -30,7 +30,7 @@ void draw_by_kernel(const Scene& scene, const ZFrame& frame, const Kernel& kerne
   for (const Primitive& wedge : scene.wedges) {
     for (int band = 0; band * kBandRows < frame.height(); ++band) {
       footprint.build(wedge, frame, band, kernel);
-      image.add(wedge, footprint, frame, kernel, word_one(LiFormat::exact));
+      image.add(wedge, footprint, frame, kernel, word_one(DatapathKind::exact));
     }
   }
 }

@@ -35,7 +35,8 @@ bool inside(const Primitive& wedge, double x, double y, double z) {
 
 std::int64_t signed_word(const Primitive& wedge, bool polygon_covers, double x, double y,
                          double z) {
-  const std::int64_t word = to_word(contribution(wedge.terms, x, y, z), word_one(LiFormat::exact));
+  const std::int64_t word =
+      to_word(contribution(wedge.terms, x, y, z), word_one(DatapathKind::exact));
   if (!wedge.coverage) return word;
   const bool inner = wedge.polygon ? is_inner(*wedge.polygon, polygon_covers, x, y, z)
                                    : wedge.inner.inside(x, y, z);

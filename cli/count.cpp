@@ -27,9 +27,9 @@ struct Arguments {
 };
 
 model::Datapath datapath_of(const Arguments& arguments) {
-  model::Datapath datapath(model::parse<model::LiFormat>("--datapath", arguments.datapath));
+  model::Datapath datapath(model::parse<model::DatapathKind>("--datapath", arguments.datapath));
   if (arguments.formats.empty()) return datapath;
-  if (datapath.kind != model::LiFormat::fixed) {
+  if (datapath.kind != model::DatapathKind::fixed) {
     throw InputError("--formats", "given with --datapath " + arguments.datapath,
                      "--datapath fixed, the one whose widths may be chosen");
   }

@@ -32,7 +32,7 @@ std::uint64_t floor_bytes(const model::Counters& c, const model::memory::LayoutC
 
 model::PixelCheck check_pixels(const traces::TraceView& trace, const model::RecordedFrame& frame,
                                const model::BlockConfig& config) {
-  model::Datapath datapath(model::LiFormat::fixed);
+  model::Datapath datapath(model::DatapathKind::fixed);
   datapath.formats = config.formats;
   const auto method = frame.z_fail ? model::ZMethod::fail : model::ZMethod::pass;
   model::PixelCheck check;

@@ -41,7 +41,8 @@ Json pixels_json(const model::PixelCheck& pixels) {
 
 // Only those of the fixed datapath may be chosen.
 void add_formats(Json& configuration, const model::Datapath& datapath) {
-  if (datapath.kind == model::LiFormat::fixed) configuration["formats"] = to_json(datapath.formats);
+  if (datapath.kind == model::DatapathKind::fixed)
+    configuration["formats"] = to_json(datapath.formats);
 }
 
 // The distinct values of one option.

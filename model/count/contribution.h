@@ -75,8 +75,8 @@ double coverage(const SphereTerms& terms, double x, double y, double z);
 double contribution(const LightTerms& terms, double x, double y, double z);
 
 /// What 1.0 is in the words of a format that has one width.
-constexpr double word_one(LiFormat format) {
-  return format == LiFormat::exact ? 1099511627776.0 : 255.0;
+constexpr double word_one(DatapathKind format) {
+  return format == DatapathKind::exact ? 1099511627776.0 : 255.0;
 }
 
 /// Adding 1.5 * 2^52 leaves the nearest integer, ties to even, in the low bits.

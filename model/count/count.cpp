@@ -45,7 +45,7 @@ struct CommonSums {
 
 const Kernel& kernel_of(const CountOptions& options) {
   if (options.kernel == KernelChoice::scalar) return scalar_kernel();
-  return options.datapath.kind == LiFormat::fixed ? fixed_kernel() : simd_kernel();
+  return options.datapath.kind == DatapathKind::fixed ? fixed_kernel() : simd_kernel();
 }
 
 /// What one thread works with.
@@ -283,7 +283,7 @@ ZMethod resolve_z(const TraceView& trace, ZChoice choice) {
 
 std::vector<CountResult> count(const TraceView& trace, std::span<const CountConfig> configs,
                                const CountOptions& options) {
-  if (options.datapath.kind == LiFormat::fixed) {
+  if (options.datapath.kind == DatapathKind::fixed) {
     datapath::require_form_bits(options.datapath.formats.form_bits, trace.header.depth_format,
                                 trace.header.width, trace.header.height, "formats");
   }

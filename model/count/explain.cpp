@@ -124,7 +124,7 @@ class Pixel {
     const bool writes = reads && wedge.inside;
     if (writes) {
       wedge.words = to_word(contribution(primitive.terms, centre_x_, centre_y_, explanation_.z),
-                            word_one(LiFormat::exact));
+                            word_one(DatapathKind::exact));
       if (primitive.coverage && !wedge.inner) wedge.words = -wedge.words;
     }
     const bool umbra_reads = wedge.umbra && wedge.umbra->outcome == UmbraExplanation::Outcome::read;

@@ -13,18 +13,18 @@ bool fits(std::int64_t value, int bits) { return datapath::LiWord{bits, 0}.holds
 }  // namespace
 
 double Datapath::one() const {
-  if (kind == LiFormat::fixed) return static_cast<double>(formats.li.one());
+  if (kind == DatapathKind::fixed) return static_cast<double>(formats.li.one());
   return word_one(kind);
 }
 
 bool Datapath::li_holds(std::int64_t word) const {
-  if (kind == LiFormat::fixed) return formats.li.holds(word);
+  if (kind == DatapathKind::fixed) return formats.li.holds(word);
   // The default format's range, whatever is behind the point; paper255: 16-bit integers.
-  return fits(word, kind == LiFormat::exact ? datapath::LiWord{}.integer_bits + 40 : 16);
+  return fits(word, kind == DatapathKind::exact ? datapath::LiWord{}.integer_bits + 40 : 16);
 }
 
 bool Datapath::stencil_holds(std::int64_t stencil) const {
-  return fits(stencil, kind == LiFormat::fixed ? formats.stencil_bits : 8);
+  return fits(stencil, kind == DatapathKind::fixed ? formats.stencil_bits : 8);
 }
 
 Operands::Operands(const traces::TraceView& trace, const Datapath& datapath)

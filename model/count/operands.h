@@ -14,11 +14,11 @@ namespace wedgesim::model {
 
 /// What the arithmetic of a count is, and the words it writes.
 struct Datapath {
-  LiFormat kind = LiFormat::exact;
+  DatapathKind kind = DatapathKind::exact;
   datapath::Formats formats;  // of `fixed`
 
   Datapath() = default;
-  Datapath(LiFormat chosen) : kind(chosen) {}  // implicit: mostly the formats are the default's
+  Datapath(DatapathKind chosen) : kind(chosen) {}  // implicit: mostly the formats are the default's
 
   /// What 1.0 is, in words.
   double one() const;
@@ -27,11 +27,11 @@ struct Datapath {
   bool stencil_holds(std::int64_t stencil) const;
   /// Of a word in memory.
   WordBytes word_bytes() const {
-    if (kind != LiFormat::fixed) return {};
+    if (kind != DatapathKind::fixed) return {};
     return {bytes_of_bits(formats.li.bits()), bytes_of_bits(formats.stencil_bits)};
   }
   /// How far a pixel may be off, in units of full light, besides its own sensitivity.
-  double tolerance() const { return kind == LiFormat::exact ? 1e-6 : 2.0 / 255.0; }
+  double tolerance() const { return kind == DatapathKind::exact ? 1e-6 : 2.0 / 255.0; }
 };
 
 /// A trace's numbers as a datapath takes them. The exact one takes window depths and the trace's
@@ -56,7 +56,7 @@ class Operands {
   LightTerms terms(const traces::fb::Wedge& wedge) const;
 
  private:
-  bool fixed() const { return datapath_.kind == LiFormat::fixed; }
+  bool fixed() const { return datapath_.kind == DatapathKind::fixed; }
 
   const traces::TraceView& trace_;
   Datapath datapath_;

@@ -69,7 +69,7 @@ Values effective_values(const Configuration& configuration) {
     add_formats(configuration.block, values);
   } else {
     values["datapath"] = word(configuration.datapath);
-    if (configuration.datapath == model::LiFormat::fixed) {
+    if (configuration.datapath == model::DatapathKind::fixed) {
       add_formats(configuration.block, values);
     }
   }
@@ -161,7 +161,7 @@ Configuration make_configuration(const std::string& file, Measure measure, const
   configuration.block = read_block(file, settings);
   for (const Setting& setting : settings) {
     if (setting.key != "datapath") continue;
-    configuration.datapath = model::parse<model::LiFormat>(
+    configuration.datapath = model::parse<model::DatapathKind>(
         fmt::format("{}:{}: datapath", file, setting.line), to_text(setting.value));
   }
   configuration.values = effective_values(configuration);

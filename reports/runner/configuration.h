@@ -19,7 +19,7 @@ Measure parse_measure(const std::string& place, std::string_view text);
 struct Configuration {
   Measure measure = Measure::count;
   model::BlockConfig block;
-  model::LiFormat datapath = model::LiFormat::exact;
+  model::DatapathKind datapath = model::DatapathKind::exact;
   Values values;  // all of it that has an effect on the measure, by dotted keys
 
   model::Datapath count_datapath() const;

@@ -76,7 +76,7 @@ class Records {
   std::pair<double, bool> seconds(const FrameRow& frame, const Configuration& configuration) const {
     if (const auto seconds = recorded(configuration.measure_name(), frame)) return {*seconds, true};
     const double nanoseconds = configuration.measure == Measure::cycles ? kCyclesNanoseconds
-                               : configuration.datapath == model::LiFormat::exact
+                               : configuration.datapath == model::DatapathKind::exact
                                    ? kCountNanoseconds
                                    : kCountAloneNanoseconds;
     return {1e-9 * nanoseconds * pixels_of(frame), false};

@@ -27,7 +27,7 @@ std::vector<int> common_part(const Configuration& configuration) {
         configuration.block.rasterizer;
     add(mode, tile, cull, umbra_cull, accept, share, z, tile_build);
   }
-  if (!counts || configuration.datapath == model::LiFormat::fixed) {
+  if (!counts || configuration.datapath == model::DatapathKind::fixed) {
     model::datapath::Formats formats = configuration.block.formats;
     for (const model::datapath::Width& width : model::datapath::kWidths) add(width.of(formats));
   }

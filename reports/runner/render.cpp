@@ -18,7 +18,7 @@ namespace {
 // What the block's default configuration does with a frame, as pictures.
 std::string draw(const std::string& prefix, const traces::TraceView& trace,
                  const functional::Scene* scene, const functional::Frame& frame) {
-  constexpr model::LiFormat kFormat = model::LiFormat::exact;
+  constexpr model::DatapathKind kFormat = model::DatapathKind::exact;
   model::CountOptions options;
   options.maps = true;
   const auto pictured = model::count(trace, std::array{model::CountConfig{}}, options);

@@ -114,7 +114,7 @@ void check_view(const functional::Scene& scene, const Combination& combination, 
   options.kind = combination.kind;
   const traces::Trace trace = functional::make_frame(scene, options).trace;
   ++worst.views;
-  model::Datapath datapath(model::LiFormat::fixed);
+  model::Datapath datapath(model::DatapathKind::fixed);
   const model::CountConfig one;
   const auto most = model::count(trace.view(), {&one, 1})[0].counters->contributions_max.value();
   if (most > kMostOfNarrowLi) {

@@ -198,7 +198,7 @@ TEST_P(HandWorkedFail, LinearWedgesUnderACaster) {
       EXPECT_EQ(counter.value(), kExpected[k].values[i]) << counter.name();
     }
     for (std::size_t pixel = 0; pixel < 32; ++pixel) {
-      EXPECT_NEAR(static_cast<double>(results[i].li[pixel]) / word_one(LiFormat::exact),
+      EXPECT_NEAR(static_cast<double>(results[i].li[pixel]) / word_one(DatapathKind::exact),
                   li[pixel % 8], 1e-6);
     }
   }

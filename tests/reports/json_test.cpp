@@ -15,7 +15,7 @@ TEST(Json, ATraceIsNamedWithItsChecksum) {
 
 TEST(Json, AResultHasAllCountersInTheirOrder) {
   const model::CountResult result = make_result({}, 5, 3);
-  const Json counters = to_json(result, model::LiFormat::exact)["counters"];
+  const Json counters = to_json(result, model::DatapathKind::exact)["counters"];
   ASSERT_EQ(counters.size(), result.counters->counters().size());
   std::size_t i = 0;
   for (const auto& [name, value] : counters.items()) {
@@ -32,7 +32,7 @@ TEST(Json, AResultSaysItsEffectiveConfiguration) {
                    model::Accept::zmin,       model::Share::all,
                    model::ZChoice::automatic, model::TileBuild::lazy};
   result.z = model::ZMethod::fail;
-  const Json json = to_json(result, model::LiFormat::paper255);
+  const Json json = to_json(result, model::DatapathKind::paper255);
   EXPECT_EQ(json["mode"], "three-pass");
   EXPECT_EQ(json["tile"], 32);
   EXPECT_EQ(json["cull"].dump(), R"({"penumbra":"sat","umbra":"none","accept":"zmin"})");
@@ -48,7 +48,7 @@ TEST(Json, AResultHasItsTotalsAndTheFloorOfTheFrame) {
   result.counters->z_reads_min = 1;
   result.counters->wedge_bytes = 2;
   result.wrong_contributions = 7;
-  const Json json = to_json(result, model::LiFormat::exact);
+  const Json json = to_json(result, model::DatapathKind::exact);
   EXPECT_EQ(json["totals"].dump(), R"({"accesses":8,"accesses_floor":150,"all_bytes":12500})");
   EXPECT_EQ(json["wrong_contributions"], 7);
 }
@@ -56,7 +56,7 @@ TEST(Json, AResultHasItsTotalsAndTheFloorOfTheFrame) {
 TEST(Json, APixelCheckIsToldWhole) {
   model::CountResult result = make_result({}, 5, 3);
   result.pixels = {6, 0.5, 0.25, 0.75, 3, 0.125, {}};
-  EXPECT_EQ(to_json(result, model::LiFormat::exact)["pixels"].dump(),
+  EXPECT_EQ(to_json(result, model::DatapathKind::exact)["pixels"].dump(),
             R"({"compared":6,"max_error":0.5,"rms_error":0.25,"rms_penumbra":0.75,)"
             R"("mismatched":3,"tolerance":0.125,"worst":[]})");
 }
@@ -66,7 +66,7 @@ TEST(Json, APixelCheckListsItsWorstPixels) {
   result.pixels.mismatched = 1;
   result.pixels.max_error = 0.5;
   result.pixels.worst = {{4, 1, 0.25, 0.75, 0.5, 0.125}};
-  const Json pixels = to_json(result, model::LiFormat::exact)["pixels"];
+  const Json pixels = to_json(result, model::DatapathKind::exact)["pixels"];
   EXPECT_EQ(pixels["mismatched"], 1);
   EXPECT_EQ(pixels["max_error"], 0.5);
   EXPECT_EQ(pixels["worst"].dump(),
@@ -78,7 +78,7 @@ TEST(Json, AConfigurationHasEachValueOnce) {
   for (const model::Mode mode : {model::Mode::three_pass, model::Mode::single_pass}) {
     for (const unsigned tile : {4U, 8U}) configs.push_back({mode, tile});
   }
-  const Json json = to_json(configs, model::LiFormat::exact);
+  const Json json = to_json(configs, model::DatapathKind::exact);
   EXPECT_EQ(json["mode"].dump(), R"(["three-pass","single-pass"])");
   EXPECT_EQ(json["tile"].dump(), "[4,8]");
   EXPECT_EQ(json["cull"].dump(), R"(["both"])");
@@ -88,7 +88,7 @@ TEST(Json, AConfigurationHasEachValueOnce) {
 TEST(Json, CountHasItsSchema) {
   std::vector<model::CountResult> results;
   results.push_back(make_result({}, 5, 3));
-  const Json json = count_json({"x", 1, 3, 2, 7}, results, model::LiFormat::exact);
+  const Json json = count_json({"x", 1, 3, 2, 7}, results, model::DatapathKind::exact);
   EXPECT_EQ(json["schema"], "wedgesim.count/1");
   EXPECT_EQ(json["configs"].size(), 1U);
   const TemporaryFolder folder;

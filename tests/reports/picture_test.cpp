@@ -69,7 +69,7 @@ TEST(Maps, AreWrittenWithTheirScales) {
   result.li.assign(pixels, std::int64_t{1} << 40);
   result.li[2] = std::int64_t{1} << 39;
   const MapScales scales =
-      write_maps((folder / "p").string(), trace.view(), result, model::LiFormat::exact);
+      write_maps((folder / "p").string(), trace.view(), result, model::DatapathKind::exact);
   EXPECT_EQ(scales.z_reads, 7.0F);
   EXPECT_EQ(scales.li_writes, 1.0F) << "an empty map still has a scale";
   EXPECT_EQ(scales.difference, 0.5F);
@@ -92,7 +92,7 @@ TEST(Maps, WithoutExpectedLightThereIsNoDifference) {
   result.z_reads.assign(pixels, 2);
   result.li_writes.assign(pixels, 1);
   result.li.assign(pixels, 0);
-  write_maps((folder / "p").string(), trace.view(), result, model::LiFormat::exact);
+  write_maps((folder / "p").string(), trace.view(), result, model::DatapathKind::exact);
   EXPECT_EQ(folder.entries(), 6U);
 }
 

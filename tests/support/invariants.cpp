@@ -129,7 +129,7 @@ glm::dvec3 point_of(const Frame& frame, std::size_t pixel) {
 
 std::string check_integers(const functional::Scene& scene, const Frame& frame,
                            const std::vector<std::int64_t>& words) {
-  const auto one = static_cast<std::int64_t>(word_one(LiFormat::exact));
+  const auto one = static_cast<std::int64_t>(word_one(DatapathKind::exact));
   for (std::size_t pixel = 0; pixel < words.size(); ++pixel) {
     if (is_sky(frame, pixel)) continue;
     // On a caster rounding of z may put a point beyond the far side of its own volume, whose cap,

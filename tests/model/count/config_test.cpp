@@ -22,7 +22,7 @@ TEST(Config, EveryValueHasItsWord) {
   expect_round_trip<Share>();
   expect_round_trip<ZChoice>();
   expect_round_trip<TileBuild>();
-  expect_round_trip<LiFormat>();
+  expect_round_trip<DatapathKind>();
   EXPECT_EQ(spelling(Mode::three_pass), "three-pass");
   EXPECT_EQ(spelling(ZChoice::automatic), "auto");
   EXPECT_EQ(spelling(Cull::sat), "sat");

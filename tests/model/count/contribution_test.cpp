@@ -32,7 +32,7 @@ TEST(ToWord, RoundsToNearestTiesToEven) {
   EXPECT_EQ(to_word(1.0, 255.0), 255);
   EXPECT_EQ(to_word(0.5 / 255.0, 255.0), 0);
   EXPECT_EQ(to_word(1.5 / 255.0, 255.0), 2);
-  EXPECT_EQ(to_word(0.25, word_one(LiFormat::exact)), std::int64_t{1} << 38);
+  EXPECT_EQ(to_word(0.25, word_one(DatapathKind::exact)), std::int64_t{1} << 38);
 }
 
 // Terms at the point (0, 0, 0) of window space, so that only the constants of rows count.

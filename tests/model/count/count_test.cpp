@@ -316,7 +316,7 @@ TEST(Count, ComparesWithTheExpectedLightIntensity) {
   options.maps = true;
   const auto exact = count(trace.view(), {&config, 1}, options);
   for (std::int64_t word : exact[0].li) {
-    trace.expected_li.push_back(static_cast<double>(word) / word_one(LiFormat::exact));
+    trace.expected_li.push_back(static_cast<double>(word) / word_one(DatapathKind::exact));
   }
   trace.li_sensitivity.assign(trace.depth.size(), 0.0F);
   EXPECT_EQ(count(trace.view(), {&config, 1})[0].pixels.max_error, 0.0);
@@ -424,12 +424,12 @@ TEST(Count, Paper255CountsInIntegers) {
   CountOptions options;
   options.maps = true;
   const auto exact = count(trace.view(), {&config, 1}, options);
-  options.datapath = LiFormat::paper255;
+  options.datapath = DatapathKind::paper255;
   const auto paper = count(trace.view(), {&config, 1}, options);
   const auto most = static_cast<double>(paper[0].counters->contributions_max.value());
   bool shaded = false;
   for (std::size_t i = 0; i < trace.depth.size(); ++i) {
-    const double li = static_cast<double>(exact[0].li[i]) / word_one(LiFormat::exact);
+    const double li = static_cast<double>(exact[0].li[i]) / word_one(DatapathKind::exact);
     EXPECT_NEAR(static_cast<double>(paper[0].li[i]), 255.0 * li, 0.5 * most + 1e-6);
     shaded = shaded || paper[0].li[i] != 255;
   }

@@ -83,7 +83,7 @@ TEST(Kernel, TheFixedOneFindsWhatThePlainLoopFinds) {
     std::mt19937 random(seed);
     const traces::Trace trace = test::random_tetrahedra(random, 56, 56, 4);
     const traces::TraceView view = trace.view();
-    const Operands operands(view, LiFormat::fixed);
+    const Operands operands(view, DatapathKind::fixed);
     Pixels pixels = random_pixels(random, 49);
     for (double& z : pixels.depths) z = std::floor(z * operands.far());
     for (Block& block : pixels.blocks) block.z_interval = around(block.z);
@@ -141,7 +141,7 @@ TEST(Kernel, EveryInstructionSetGivesTheSameWords) {
     for (std::uint32_t w = 0; w < 6; ++w) {
       const Primitive wedge = wedge_primitive(trace.view(), ZMethod::pass, w);
       kinds.insert(wedge.terms.index());
-      const double one = word_one(seed % 2 == 0 ? LiFormat::exact : LiFormat::paper255);
+      const double one = word_one(seed % 2 == 0 ? DatapathKind::exact : DatapathKind::paper255);
       std::vector<std::uint64_t> negated;
       for (std::uint64_t set : pixels.sets) negated.push_back(set * 0x9e3779b97f4a7c15U);
       std::vector<std::int64_t> expected(49 * kBlockPixels), actual(49 * kBlockPixels);

@@ -18,8 +18,9 @@ struct Frame {
     synthetic.trace.expected_li.assign(8, 1.0);
     synthetic.trace.li_sensitivity.assign(8, 0.0F);
   }
-  FinishedFrame finish(LiFormat format) const { return {z, image, format, corrections}; }
-  FrameSummary summary(LiFormat format = LiFormat::exact, ZMethod method = ZMethod::pass) const {
+  FinishedFrame finish(DatapathKind format) const { return {z, image, format, corrections}; }
+  FrameSummary summary(DatapathKind format = DatapathKind::exact,
+                       ZMethod method = ZMethod::pass) const {
     return finish(format).summarize(synthetic.trace.view(), method);
   }
   void add(int x, int y, std::int64_t penumbra, std::int32_t umbra) {
@@ -37,7 +38,7 @@ TEST(PixelCheck, FinishedWordsAreOneAndAllContributions) {
   frame.add(2, 1, 0, -1);
   frame.add(1, 0, -kOne / 2, 0);
   frame.add(2, 1, kOne / 4, 0);
-  EXPECT_EQ(frame.finish(LiFormat::exact).words(),
+  EXPECT_EQ(frame.finish(DatapathKind::exact).words(),
             (std::vector<std::int64_t>{kOne, kOne / 2, kOne, kOne, kOne, kOne, kOne / 4, kOne}));
 }
 
@@ -79,15 +80,15 @@ TEST(PixelCheck, TellsWordsOutOfRange) {
   EXPECT_EQ(frame.summary().li_out_of_range, 2u);
   EXPECT_EQ(frame.summary().any_out_of_range, 3u);
   // 255ths, 16 bits: all but what the last correction's penumbra makes of (3, 0) fits.
-  EXPECT_EQ(frame.summary(LiFormat::paper255).li_out_of_range, 1u);
-  EXPECT_DOUBLE_EQ(frame.summary(LiFormat::paper255).pixels.tolerance, 2.0 / 255.0);
+  EXPECT_EQ(frame.summary(DatapathKind::paper255).li_out_of_range, 1u);
+  EXPECT_DOUBLE_EQ(frame.summary(DatapathKind::paper255).pixels.tolerance, 2.0 / 255.0);
 }
 
 TEST(PixelCheck, LeavesOutTheSkyAndTracesWithoutExpectation) {
   Frame frame;
   frame.synthetic.set_depth(2, 0, 1.0);
-  EXPECT_EQ(frame.summary(LiFormat::exact, ZMethod::fail).pixels.compared, 7u);
-  EXPECT_EQ(frame.summary(LiFormat::exact, ZMethod::pass).pixels.compared, 8u);
+  EXPECT_EQ(frame.summary(DatapathKind::exact, ZMethod::fail).pixels.compared, 7u);
+  EXPECT_EQ(frame.summary(DatapathKind::exact, ZMethod::pass).pixels.compared, 8u);
   frame.synthetic.trace.expected_li.clear();
   EXPECT_EQ(frame.summary().pixels.compared, 0u);
 }

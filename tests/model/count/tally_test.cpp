@@ -38,15 +38,15 @@ struct Tallied {
         run(config, frame, tiles, false),
         image(frame) {
     ConfigRun* const runs[] = {&run};
-    tally.emplace(runs, frame, ZMethod::pass, word_one(LiFormat::exact));
+    tally.emplace(runs, frame, ZMethod::pass, word_one(DatapathKind::exact));
     Footprint footprint;
     footprint.build(primitive, frame, 0, simd_kernel());
     tally->count(primitive, footprint);
-    image.add(primitive, footprint, frame, simd_kernel(), word_one(LiFormat::exact));
+    image.add(primitive, footprint, frame, simd_kernel(), word_one(DatapathKind::exact));
   }
   const Counters& counters() { return tally->counters(0); }
   std::vector<std::int64_t> words(bool corrected) {
-    return FinishedFrame(frame, image, LiFormat::exact,
+    return FinishedFrame(frame, image, DatapathKind::exact,
                          corrected ? tally->corrections(0) : std::vector<Correction>{})
         .words();
   }
@@ -104,7 +104,7 @@ TEST(Tally, ATileWronglyTakenForInsideShows) {
   // The pixel is before the polygon's begin, so not inner: its coverage would be subtracted.
   EXPECT_EQ(correction.penumbra,
             -to_word(contribution(tallied.primitive.terms, 3.5, 2.5, tallied.frame.z(3, 2)),
-                     word_one(LiFormat::exact)));
+                     word_one(DatapathKind::exact)));
   EXPECT_NE(correction.penumbra, 0);
   EXPECT_EQ(correction.umbra, 0);
   EXPECT_EQ(tallied.wrong(), std::vector<std::size_t>{8 * 2 + 3});

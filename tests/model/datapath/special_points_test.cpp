@@ -240,7 +240,7 @@ TEST(LightIntensityWord, OutOfRangeIsCountedWithItsFirstPixel) {
   }
   const CountConfig config;
   CountOptions options;
-  options.datapath = LiFormat::fixed;
+  options.datapath = DatapathKind::fixed;
   const CountResult narrow = std::move(count(synthetic.trace.view(), {&config, 1}, options)[0]);
   EXPECT_EQ(narrow.counters->li_overflow_pixels.value(), 99U);
   EXPECT_EQ(narrow.first_overflow, (std::array{1, 1}));

@@ -29,7 +29,7 @@ std::string label(const CountConfig& config) {
 void expect_equal(const traces::TraceView& trace, const std::vector<CountConfig>& configs,
                   const datapath::Formats& formats = {}) {
   CountOptions options;
-  options.datapath = LiFormat::fixed;
+  options.datapath = DatapathKind::fixed;
   options.datapath.formats = formats;
   options.maps = true;
   const std::vector<CountResult> counted = count(trace, configs, options);

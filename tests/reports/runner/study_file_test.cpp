@@ -92,7 +92,7 @@ TEST(StudyFile, PresetsAndDatapathsAreAxesToo) {
   EXPECT_EQ(timed.head.axes, std::vector<std::string>{"preset"});
   const Study counted =
       parse(std::string(kFrames) + "[[grid]]\ndatapath = [\"exact\", \"paper255\"]\n");
-  EXPECT_EQ(counted.configurations[1].datapath, model::LiFormat::paper255);
+  EXPECT_EQ(counted.configurations[1].datapath, model::DatapathKind::paper255);
   EXPECT_EQ(error_of(std::string("datapath = \"fixed\"\n") + kFrames +
                      "[[grid]]\nformats.li_fraction_bits = [8, 11]\n"),
             "");
