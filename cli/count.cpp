@@ -83,10 +83,11 @@ Command add_count(CLI::App& program) {
   auto arguments = std::make_shared<Arguments>();
   app->add_option("FILE", arguments->file, "A trace")->required()->type_name("");
   arguments->count.add_to(*app);
-  app->add_option("--datapath", arguments->datapath,
-                  "Arithmetic: double precision, the hardware's integers, or LI words of 255 as in "
-                  "Papers I and II")
-      ->type_name("exact|fixed|paper255")
+  app->add_option(
+         "--datapath", arguments->datapath,
+         "Arithmetic: double precision, the hardware's integers, LI words of 255 as in Papers "
+         "I and II, or a shader's single precision")
+      ->type_name("exact|fixed|paper255|float32")
       ->capture_default_str();
   app->add_option("--formats", arguments->formats, "Widths of the fixed datapath, TOML")
       ->type_name("FILE");

@@ -15,8 +15,9 @@ inline constexpr double kHalfPi = 1.5707963267948966;
 inline constexpr double kQuarterPi = 0.7853981633974483;
 inline constexpr double kPi = 3.141592653589793;
 
-/// The angle of (x, y), y >= 0, in [0, pi]; 0 at the origin. Within 1e-12 of the true angle. The
-/// SIMD kernel performs the same operations in the same order.
-double upper_angle(double y, double x);
+/// The angle of (x, y), y >= 0, in [0, pi]; 0 at the origin. Within 1e-12 of the true angle in
+/// double, 4e-7 in float. The SIMD kernel performs the same operations in the same order.
+template <typename Real>
+Real upper_angle(Real y, Real x);
 
 }  // namespace wedgesim::model

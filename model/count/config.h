@@ -24,7 +24,8 @@ enum class ZChoice { automatic, pass, fail };
 enum class TileBuild { eager, lazy, none };
 /// exact: double precision, contributions rounded to 2^-40. fixed: the hardware's arithmetic
 /// (model/datapath). paper255: exact, but words are integers, 255 is lit (Papers I and II).
-enum class DatapathKind { exact, fixed, paper255 };
+/// float32: single precision throughout, as in a shader; contributions rounded to 2^-40.
+enum class DatapathKind { exact, fixed, paper255, float32 };
 
 /// The words of an option, in the order of its enumerators.
 template <typename E>
@@ -45,8 +46,8 @@ inline constexpr std::array<std::string_view, 3> kSpellings<ZChoice>{"auto", "pa
 template <>
 inline constexpr std::array<std::string_view, 3> kSpellings<TileBuild>{"eager", "lazy", "none"};
 template <>
-inline constexpr std::array<std::string_view, 3> kSpellings<DatapathKind>{"exact", "fixed",
-                                                                          "paper255"};
+inline constexpr std::array<std::string_view, 4> kSpellings<DatapathKind>{"exact", "fixed",
+                                                                          "paper255", "float32"};
 
 namespace detail {
 /// \throws InputError naming the option and all words it takes

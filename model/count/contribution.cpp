@@ -1,5 +1,6 @@
 #include "model/count/contribution.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -50,16 +51,43 @@ SphereTerms sphere_terms(const traces::fb::Matrix4& light_from_window, const glm
           glm::cross(begin, end)};
 }
 
+RowOf<float> single(const Row& row) {
+  return {static_cast<float>(row.a), static_cast<float>(row.b), static_cast<float>(row.c),
+          static_cast<float>(row.d)};
+}
+
+LinearTermsOf<float> single(const LinearTerms& terms) {
+  LinearTermsOf<float> result;
+  std::ranges::transform(terms.planes, result.planes.begin(), single_plane);
+  std::ranges::transform(terms.factors, result.factors.begin(),
+                         [](double factor) { return static_cast<float>(factor); });
+  return result;
+}
+
+RectangleTermsOf<float> single(const RectangleTerms& terms) {
+  const auto end = [](const RectangleTerms::End& e) {
+    return RectangleTermsOf<float>::End{single(e.u), single(e.v), single(e.w)};
+  };
+  return {{end(terms.ends[0]), end(terms.ends[1])}};
+}
+
+SphereTermsOf<float> single(const SphereTerms& terms) {
+  return {single(terms.x),        single(terms.y),       single(terms.z),        single(terms.w),
+          glm::vec3(terms.begin), glm::vec3(terms.edge), glm::vec3(terms.normal)};
+}
+
 // The part [first, last] of a segment, 0 at its begin and 1 at its end.
+template <typename Real>
 struct Part {
-  double first = 0.0;
-  double last = 1.0;
+  Real first = 0.0;
+  Real last = 1.0;
 };
 
 // Keeps the part where a value that goes linearly from f0 to f1 is not negative. False: nothing.
-bool clip(double f0, double f1, Part& part) {
+template <typename Real>
+bool clip(Real f0, Real f1, Part<Real>& part) {
   if (f0 < 0.0 && f1 < 0.0) return false;
-  const double t = f0 / (f0 - f1);
+  const Real t = f0 / (f0 - f1);
   if (f0 < 0.0 && t > part.first) part.first = t;
   if (f1 < 0.0 && t < part.last) part.last = t;
   return true;
@@ -67,30 +95,34 @@ bool clip(double f0, double f1, Part& part) {
 
 // Where the ray from the centre through (u, v) leaves the square [-1, 1]^2, as a distance along
 // its outline from (1, 0), counter-clockwise: [-1, 7]. 0 at the centre itself.
-double perimeter(double u, double v) {
+template <typename Real>
+Real perimeter(Real u, Real v) {
   const bool sideways = std::fabs(u) >= std::fabs(v);
-  const double numerator = sideways ? v : u;
-  const double denominator = sideways ? u : v;
+  const Real numerator = sideways ? v : u;
+  const Real denominator = sideways ? u : v;
   if (denominator == 0.0) return 0.0;
-  const double ratio = numerator / denominator;
-  return sideways ? (u < 0.0 ? 4.0 : 0.0) + ratio : (v < 0.0 ? 6.0 : 2.0) - ratio;
+  const Real ratio = numerator / denominator;
+  return sideways ? Real(u < 0.0 ? 4 : 0) + ratio : Real(v < 0.0 ? 6 : 2) - ratio;
 }
 
 }  // namespace
 
-double upper_angle(double y, double x) {
-  const double ax = std::fabs(x);
-  const double small = ax < y ? ax : y;
-  const double large = ax < y ? y : ax;
+template <typename Real>
+Real upper_angle(Real y, Real x) {
+  const Real ax = std::fabs(x);
+  const Real small = ax < y ? ax : y;
+  const Real large = ax < y ? y : ax;
   if (large == 0.0) return 0.0;
-  const bool shift = small > kTanEighthPi * large;  // atan(m) = pi/4 + atan((m - 1) / (m + 1))
-  const double r = shift ? (small - large) / (small + large) : small / large;
-  const double w = r * r;
-  double p = kAtanCoefficients.back();
-  for (std::size_t i = kAtanCoefficients.size() - 1; i-- > 0;) p = p * w + kAtanCoefficients[i];
-  double angle = r * p + (shift ? kQuarterPi : 0.0);
-  if (ax < y) angle = kHalfPi - angle;
-  return x < 0.0 ? kPi - angle : angle;
+  const bool shift =
+      small > Real(kTanEighthPi) * large;  // atan(m) = pi/4 + atan((m - 1) / (m + 1))
+  const Real r = shift ? (small - large) / (small + large) : small / large;
+  const Real w = r * r;
+  auto p = Real(kAtanCoefficients.back());
+  for (std::size_t i = kAtanCoefficients.size() - 1; i-- > 0;)
+    p = p * w + Real(kAtanCoefficients[i]);
+  Real angle = r * p + (shift ? Real(kQuarterPi) : Real(0));
+  if (ax < y) angle = Real(kHalfPi) - angle;
+  return x < 0.0 ? Real(kPi) - angle : angle;
 }
 
 LightTerms light_terms(const traces::TraceView& trace, const traces::fb::Wedge& wedge) {
@@ -109,111 +141,161 @@ LightTerms light_terms(const traces::TraceView& trace, const traces::fb::Wedge& 
   return rectangle_terms(light.light_from_window, begin, end);
 }
 
-double intensity(const LinearTerms& terms, double x, double y, double z) {
-  const double front = terms.planes[0].inward(x, y, z);
-  const double back = terms.planes[1].inward(x, y, z);
-  const double left = terms.planes[2].inward(x, y, z);
-  const double right = terms.planes[3].inward(x, y, z);
-  const double back_left = back * terms.factors[1];
-  const double back_right = back * terms.factors[3];
-  const double thick_left = front * terms.factors[0] + back_left;
-  const double thick_right = front * terms.factors[2] + back_right;
-  const double to_left = left * terms.factors[4];
-  const double to_right = right * terms.factors[5];
-  // s = (to_right * s_left + to_left * s_right) / (to_right + to_left), over one denominator.
-  const double numerator = to_right * back_left * thick_right + to_left * back_right * thick_left;
-  const double denominator = thick_left * thick_right * (to_right + to_left);
-  if (denominator == 0.0) return 0.5;
-  const double s = numerator / denominator;
-  return s < 0.0 ? 0.0 : (s > 1.0 ? 1.0 : s);
+Plane single_plane(const Plane& plane) {
+  const auto single = [](double real) { return static_cast<double>(static_cast<float>(real)); };
+  return {single(plane.a), single(plane.b), single(plane.c),
+          single(plane.d), plane.minus,     Arithmetic::single_precision};
 }
 
-double coverage(const RectangleTerms& terms, double x, double y, double z) {
-  const double u0 = terms.ends[0].u.at(x, y, z);
-  const double v0 = terms.ends[0].v.at(x, y, z);
-  const double w0 = terms.ends[0].w.at(x, y, z);
-  const double u1 = terms.ends[1].u.at(x, y, z);
-  const double v1 = terms.ends[1].v.at(x, y, z);
-  const double w1 = terms.ends[1].w.at(x, y, z);
-  Part part;
+SingleTerms single_terms(const traces::TraceView& trace, const traces::fb::Wedge& wedge) {
+  const LightTerms terms = light_terms(trace, wedge);
+  if (const auto* linear = std::get_if<LinearTerms>(&terms)) return single(*linear);
+  if (const auto* sphere = std::get_if<SphereTerms>(&terms)) return single(*sphere);
+  return single(std::get<RectangleTerms>(terms));
+}
+
+template <typename Real>
+Real intensity(const LinearTermsOf<Real>& terms, std::type_identity_t<Real> x,
+               std::type_identity_t<Real> y, std::type_identity_t<Real> z) {
+  const auto inward = [&](std::size_t i) { return Real(terms.planes[i].inward(x, y, z)); };
+  const Real front = inward(0);
+  const Real back = inward(1);
+  const Real left = inward(2);
+  const Real right = inward(3);
+  const Real back_left = back * terms.factors[1];
+  const Real back_right = back * terms.factors[3];
+  const Real thick_left = front * terms.factors[0] + back_left;
+  const Real thick_right = front * terms.factors[2] + back_right;
+  const Real to_left = left * terms.factors[4];
+  const Real to_right = right * terms.factors[5];
+  // s = (to_right * s_left + to_left * s_right) / (to_right + to_left), over one denominator.
+  const Real numerator = to_right * back_left * thick_right + to_left * back_right * thick_left;
+  const Real denominator = thick_left * thick_right * (to_right + to_left);
+  if (denominator == 0.0) return Real(0.5);
+  const Real s = numerator / denominator;
+  return s < 0.0 ? Real(0) : (s > 1.0 ? Real(1) : s);
+}
+
+template <typename Real>
+Real coverage(const RectangleTermsOf<Real>& terms, std::type_identity_t<Real> x,
+              std::type_identity_t<Real> y, std::type_identity_t<Real> z) {
+  const Real u0 = terms.ends[0].u.at(x, y, z);
+  const Real v0 = terms.ends[0].v.at(x, y, z);
+  const Real w0 = terms.ends[0].w.at(x, y, z);
+  const Real u1 = terms.ends[1].u.at(x, y, z);
+  const Real v1 = terms.ends[1].v.at(x, y, z);
+  const Real w1 = terms.ends[1].w.at(x, y, z);
+  Part<Real> part;
   if (!clip(w0 - u0, w1 - u1, part) || !clip(w0 + u0, w1 + u1, part) ||
       !clip(w0 - v0, w1 - v1, part) || !clip(w0 + v0, w1 + v1, part)) {
     return 0.0;
   }
   if (!(part.first < part.last)) return 0.0;
-  const double du = u1 - u0;
-  const double dv = v1 - v0;
-  const double dw = w1 - w0;
-  const double pu = u0 + part.first * du;
-  const double pv = v0 + part.first * dv;
-  const double qu = u0 + part.last * du;
-  const double qv = v0 + part.last * dv;
-  const double w = (w0 + part.first * dw) * (w0 + part.last * dw);
+  const Real du = u1 - u0;
+  const Real dv = v1 - v0;
+  const Real dw = w1 - w0;
+  const Real pu = u0 + part.first * du;
+  const Real pv = v0 + part.first * dv;
+  const Real qu = u0 + part.last * du;
+  const Real qv = v0 + part.last * dv;
+  const Real w = (w0 + part.first * dw) * (w0 + part.last * dw);
   if (!(w > 0.0)) return 0.0;
-  double turn = perimeter(qu, qv) - perimeter(pu, pv);
-  if (turn > 4.0) turn = turn - 8.0;
-  if (turn < -4.0) turn = turn + 8.0;
-  return std::fabs(turn - (pu * qv - pv * qu) / w) * 0.125;
+  Real turn = perimeter(qu, qv) - perimeter(pu, pv);
+  if (turn > 4.0) turn = turn - Real(8);
+  if (turn < -4.0) turn = turn + Real(8);
+  return std::fabs(turn - (pu * qv - pv * qu) / w) * Real(0.125);
 }
 
-double coverage(const SphereTerms& terms, double x, double y, double z) {
-  const double px = terms.x.at(x, y, z);
-  const double py = terms.y.at(x, y, z);
-  const double pz = terms.z.at(x, y, z);
-  const double w = terms.w.at(x, y, z);
-  const double pp = px * px + py * py + pz * pz;
-  const double g = pp - w * w;
+template <typename Real>
+Real coverage(const SphereTermsOf<Real>& terms, std::type_identity_t<Real> x,
+              std::type_identity_t<Real> y, std::type_identity_t<Real> z) {
+  const Real px = terms.x.at(x, y, z);
+  const Real py = terms.y.at(x, y, z);
+  const Real pz = terms.z.at(x, y, z);
+  const Real w = terms.w.at(x, y, z);
+  const Real pp = px * px + py * py + pz * pz;
+  const Real g = pp - w * w;
   if (!(g > 0.0)) return 0.0;
   // From the point towards the edge, times w: v(t) = v + t*d.
-  const double vx = w * terms.begin.x - px;
-  const double vy = w * terms.begin.y - py;
-  const double vz = w * terms.begin.z - pz;
-  const double dx = w * terms.edge.x;
-  const double dy = w * terms.edge.y;
-  const double dz = w * terms.edge.z;
-  const double vp = vx * px + vy * py + vz * pz;
-  const double dp = dx * px + dy * py + dz * pz;
+  const Real vx = w * terms.begin.x - px;
+  const Real vy = w * terms.begin.y - py;
+  const Real vz = w * terms.begin.z - pz;
+  const Real dx = w * terms.edge.x;
+  const Real dy = w * terms.edge.y;
+  const Real dz = w * terms.edge.z;
+  const Real vp = vx * px + vy * py + vz * pz;
+  const Real dp = dx * px + dy * py + dz * pz;
   // In the tangent cone iff f(t) = (v.p)^2 - g*|v|^2 = A*t^2 + 2*B*t + C >= 0, and v.p < 0.
-  const double a = dp * dp - g * (dx * dx + dy * dy + dz * dz);
-  const double b = vp * dp - g * (vx * dx + vy * dy + vz * dz);
-  const double c = vp * vp - g * (vx * vx + vy * vy + vz * vz);
-  double discriminant = b * b - a * c;
+  const Real a = dp * dp - g * (dx * dx + dy * dy + dz * dz);
+  const Real b = vp * dp - g * (vx * dx + vy * dy + vz * dz);
+  const Real c = vp * vp - g * (vx * vx + vy * vy + vz * vz);
+  Real discriminant = b * b - a * c;
   if (a < 0.0 && !(discriminant > 0.0)) return 0.0;
   if (!(discriminant > 0.0)) discriminant = 0.0;
-  const double root = std::sqrt(discriminant);
-  const double q = b < 0.0 ? root - b : -(b + root);
-  const double r0 = q / a;
-  const double r1 = c / q;
-  const double low = r0 < r1 ? r0 : r1;
-  const double high = r0 < r1 ? r1 : r0;
+  const Real root = std::sqrt(discriminant);
+  const Real q = b < 0.0 ? root - b : -(b + root);
+  const Real r0 = q / a;
+  const Real r1 = c / q;
+  const Real low = r0 < r1 ? r0 : r1;
+  const Real high = r0 < r1 ? r1 : r0;
   // Outside the double cone the line is within one half of it between the roots; along it, beyond
   // the root on the side that goes towards the light.
-  Part part;
+  Part<Real> part;
   if ((a < 0.0 || dp < 0.0) && (a < 0.0 ? low : high) > 0.0) part.first = a < 0.0 ? low : high;
   if ((a < 0.0 || !(dp < 0.0)) && (a < 0.0 ? high : low) < 1.0) part.last = a < 0.0 ? high : low;
   if (!(part.first < part.last)) return 0.0;
-  const double axial0 = vp + part.first * dp;
-  const double axial1 = vp + part.last * dp;
+  const Real axial0 = vp + part.first * dp;
+  const Real axial1 = vp + part.last * dp;
   if (!(axial0 < 0.0) || !(axial1 < 0.0)) return 0.0;
-  const double x0 = vx + part.first * dx;
-  const double y0 = vy + part.first * dy;
-  const double z0 = vz + part.first * dz;
-  const double x1 = vx + part.last * dx;
-  const double y1 = vy + part.last * dy;
-  const double z1 = vz + part.last * dz;
-  const double axial = axial0 * axial1 / pp;
-  const double inline_part = (x0 * x1 + y0 * y1 + z0 * z1) - axial;
+  const Real x0 = vx + part.first * dx;
+  const Real y0 = vy + part.first * dy;
+  const Real z0 = vz + part.first * dz;
+  const Real x1 = vx + part.last * dx;
+  const Real y1 = vy + part.last * dy;
+  const Real z1 = vz + part.last * dz;
+  const Real axial = axial0 * axial1 / pp;
+  const Real inline_part = (x0 * x1 + y0 * y1 + z0 * z1) - axial;
   // p . (v0 x v1) = (last - first) * w^2 * p . (begin x end)
-  const double triple = (part.last - part.first) * (w * w) *
-                        (px * terms.normal.x + py * terms.normal.y + pz * terms.normal.z);
-  const double across = std::fabs(triple) / std::sqrt(pp);
-  const double cross = across * g / (axial * (w * w));
-  return (upper_angle(across, inline_part) - cross) * (0.5 / kPi);
+  const Real triple = (part.last - part.first) * (w * w) *
+                      (px * terms.normal.x + py * terms.normal.y + pz * terms.normal.z);
+  const Real across = std::fabs(triple) / std::sqrt(pp);
+  const Real cross = across * g / (axial * (w * w));
+  return (upper_angle(across, inline_part) - cross) * Real(0.5 / kPi);
 }
+
+template float upper_angle(float, float);
+template double upper_angle(double, double);
+template float intensity(const LinearTermsOf<float>&, float, float, float);
+template double intensity(const LinearTerms&, double, double, double);
+template float coverage(const RectangleTermsOf<float>&, float, float, float);
+template double coverage(const RectangleTerms&, double, double, double);
+template float coverage(const SphereTermsOf<float>&, float, float, float);
+template double coverage(const SphereTerms&, double, double, double);
+
+namespace {
+
+double contribution(const SingleTerms& terms, float x, float y, float z) {
+  float value = 0.0F;
+  if (const auto* linear = std::get_if<LinearTermsOf<float>>(&terms)) {
+    value = intensity(*linear, x, y, z);
+  } else if (const auto* sphere = std::get_if<SphereTermsOf<float>>(&terms)) {
+    value = coverage(*sphere, x, y, z);
+  } else {
+    value = coverage(std::get<RectangleTermsOf<float>>(terms), x, y, z);
+  }
+  if (!(value > 0.0F)) return 0.0;
+  return value < 1.0F ? static_cast<double>(value) : 1.0;
+}
+
+}  // namespace
 
 double contribution(const LightTerms& terms, double x, double y, double z) {
   if (const auto* fixed = std::get_if<FixedTerms>(&terms)) {
     return datapath::contribution(fixed->setup, datapath::place(x, y, z), fixed->round);
+  }
+  if (const auto* single = std::get_if<SingleTerms>(&terms)) {
+    return contribution(*single, static_cast<float>(x), static_cast<float>(y),
+                        static_cast<float>(z));
   }
   if (const auto* linear = std::get_if<LinearTerms>(&terms)) return intensity(*linear, x, y, z);
   if (const auto* sphere = std::get_if<SphereTerms>(&terms)) return coverage(*sphere, x, y, z);

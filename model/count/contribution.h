@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <type_traits>
 #include <variant>
 
 #include "model/count/config.h"
@@ -13,36 +14,42 @@
 
 namespace wedgesim::model {
 
-/// A value linear in (x, y, z, 1), window space, evaluated as planes are.
-struct Row {
-  double a = 0.0, b = 0.0, c = 0.0, d = 0.0;
-  double at(double x, double y, double z) const { return ((a * x + b * y) + c * z) + d; }
-};
-
 /// `linear`: planes front, back, left, right and the factors that turn their inward values into
 /// distances. Paper I, Eqs. 1-3.
-struct LinearTerms {
-  std::array<Plane, 4> planes;
-  std::array<double, 6> factors{};
+template <typename Real>
+struct LinearTermsOf {
+  std::array<Plane, 4> planes;  // evaluated in Real
+  std::array<Real, 6> factors{};
 };
 
 /// `coverage`, rectangular light: the edge's ends projected from the point onto the light's plane,
 /// where the light is the square [-1, 1]^2; homogeneous, (u, v, w) of each.
-struct RectangleTerms {
+template <typename Real>
+struct RectangleTermsOf {
   struct End {
-    Row u, v, w;
+    RowOf<Real> u, v, w;
   };
   std::array<End, 2> ends;
 };
 
 /// `coverage`, spherical light: the point's homogeneous position about the light's centre, in
 /// radii, and the edge there.
-struct SphereTerms {
-  Row x, y, z, w;
-  glm::dvec3 begin{0.0};
-  glm::dvec3 edge{0.0};    // end - begin
-  glm::dvec3 normal{0.0};  // begin x end
+template <typename Real>
+struct SphereTermsOf {
+  using Vec3 = glm::vec<3, Real>;
+  RowOf<Real> x, y, z, w;
+  Vec3 begin{Real(0)};
+  Vec3 edge{Real(0)};    // end - begin
+  Vec3 normal{Real(0)};  // begin x end
 };
+
+using LinearTerms = LinearTermsOf<double>;
+using RectangleTerms = RectangleTermsOf<double>;
+using SphereTerms = SphereTermsOf<double>;
+
+/// Any of them in single precision.
+using SingleTerms =
+    std::variant<LinearTermsOf<float>, RectangleTermsOf<float>, SphereTermsOf<float>>;
 
 /// Any of them, in the arithmetic of the fixed datapath.
 struct FixedTerms {
@@ -50,33 +57,48 @@ struct FixedTerms {
   datapath::Rounder round{datapath::Rounder::kMaxBits};
 };
 
-using LightTerms = std::variant<LinearTerms, RectangleTerms, SphereTerms, FixedTerms>;
+using LightTerms = std::variant<LinearTerms, RectangleTerms, SphereTerms, FixedTerms, SingleTerms>;
 
 /// Per-wedge constants of the light intensity or coverage, for the exact datapath.
 LightTerms light_terms(const traces::TraceView& trace, const traces::fb::Wedge& wedge);
 
+/// A plane for single precision: each coefficient rounded once.
+Plane single_plane(const Plane& plane);
+
+/// light_terms(), each constant rounded once to single precision.
+SingleTerms single_terms(const traces::TraceView& trace, const traces::fb::Wedge& wedge);
+
 /// The light intensity s of a `linear` wedge at a point inside, in [0, 1]: 1 at the front plane, 0
 /// at the back plane; 0.5 where the wedge has no thickness or no length.
+/// \tparam Real    double or float: that of every operator
 /// \param x, y, z  window space: pixels and depth
-double intensity(const LinearTerms& terms, double x, double y, double z);
+template <typename Real>
+Real intensity(const LinearTermsOf<Real>& terms, std::type_identity_t<Real> x,
+               std::type_identity_t<Real> y, std::type_identity_t<Real> z);
 
 /// The fraction of the light that the half-plane-like shadow of one edge hides, without a sign:
 /// the area between the clipped projection of the edge and the light's outline, as seen between
 /// the rays from the light's centre through its ends.
 /// \param x, y, z  window space: pixels and depth
 /// \return         [0, 0.5]; 0 if the edge's projection misses the light
-/// Accuracy: within 1e-9 of sampling by polygon clipping (contribution_test.cpp)
-double coverage(const RectangleTerms& terms, double x, double y, double z);
+/// Accuracy: in double within 1e-9 of sampling by polygon clipping (contribution_test.cpp)
+template <typename Real>
+Real coverage(const RectangleTermsOf<Real>& terms, std::type_identity_t<Real> x,
+              std::type_identity_t<Real> y, std::type_identity_t<Real> z);
 /// \copydoc coverage. The outline is the circle in which the tangent cone from the point touches.
 /// 0 if the point is inside the light.
-double coverage(const SphereTerms& terms, double x, double y, double z);
+template <typename Real>
+Real coverage(const SphereTermsOf<Real>& terms, std::type_identity_t<Real> x,
+              std::type_identity_t<Real> y, std::type_identity_t<Real> z);
 
+/// Any of them. In single precision limited to [0, 1], NaN to 0, as shaders saturate: nothing
+/// else keeps what has lost all its bits out of the sums.
 /// \param z  depth, in steps for FixedTerms
 double contribution(const LightTerms& terms, double x, double y, double z);
 
 /// What 1.0 is in the words of a format that has one width.
 constexpr double word_one(DatapathKind format) {
-  return format == DatapathKind::exact ? 1099511627776.0 : 255.0;
+  return format == DatapathKind::paper255 ? 255.0 : 1099511627776.0;
 }
 
 /// Adding 1.5 * 2^52 leaves the nearest integer, ties to even, in the low bits.

@@ -45,7 +45,14 @@ struct CommonSums {
 
 const Kernel& kernel_of(const CountOptions& options) {
   if (options.kernel == KernelChoice::scalar) return scalar_kernel();
-  return options.datapath.kind == DatapathKind::fixed ? fixed_kernel() : simd_kernel();
+  switch (options.datapath.kind) {
+    case DatapathKind::fixed:
+      return fixed_kernel();
+    case DatapathKind::float32:
+      return scalar_kernel();
+    default:
+      return simd_kernel();
+  }
 }
 
 /// What one thread works with.

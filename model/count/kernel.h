@@ -45,7 +45,7 @@ struct Kernel {
                 const std::uint64_t* sets, const std::uint64_t* negated, std::int64_t* words);
 };
 
-/// The plain loop, which says what the others must give.
+/// The plain loop, which says what the others must give; for every datapath.
 const Kernel& scalar_kernel();
 
 /// For the fixed datapath: integers, block by block.

@@ -254,7 +254,8 @@ void words(const LightTerms& terms, double one, std::span<const Block> blocks,
            const std::uint64_t* sets, const std::uint64_t* negated, std::int64_t* result) {
   std::visit(
       [&](const auto& kind) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, FixedTerms>) {
+        using Terms = std::decay_t<decltype(kind)>;
+        if constexpr (std::is_same_v<Terms, FixedTerms> || std::is_same_v<Terms, SingleTerms>) {
           scalar_kernel().words(terms, one, blocks, sets, negated, result);
         } else {
           words_of(kind, one, blocks, sets, negated, result);

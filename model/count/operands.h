@@ -35,7 +35,8 @@ struct Datapath {
 };
 
 /// A trace's numbers as a datapath takes them. The exact one takes window depths and the trace's
-/// planes; the fixed one takes depths in steps and planes in integers.
+/// planes, float32 rounds each to single precision; the fixed one takes depths in steps and planes
+/// in integers.
 class Operands {
  public:
   /// Implicit: mostly the datapath is the exact one.
@@ -52,11 +53,16 @@ class Operands {
   double depth(std::uint32_t word) const;
   /// Depth 1.
   double far() const;
+  /// The depths by which a face or the wedge's vertices may cull a tile: the given ones, but
+  /// in single precision the wedge's, since a pixel can be inside all planes by a rounding error
+  /// that is larger than what such an interval leaves out.
+  ZInterval culling_interval(ZInterval own, ZInterval wedge) const { return single() ? wedge : own; }
   /// Per-wedge constants of the light intensity or coverage.
   LightTerms terms(const traces::fb::Wedge& wedge) const;
 
  private:
   bool fixed() const { return datapath_.kind == DatapathKind::fixed; }
+  bool single() const { return datapath_.kind == DatapathKind::float32; }
 
   const traces::TraceView& trace_;
   Datapath datapath_;

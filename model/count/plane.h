@@ -18,19 +18,35 @@ struct Box {
   ZInterval z;
 };
 
+/// A value linear in (x, y, z, 1), window space, evaluated in the one order that every kernel
+/// keeps.
+template <typename Real>
+struct RowOf {
+  Real a{}, b{}, c{}, d{};
+  Real at(Real x, Real y, Real z) const { return ((a * x + b * y) + c * z) + d; }
+};
+using Row = RowOf<double>;
+
+/// What evaluates a plane. single_precision: its coefficients are floats, and so is every result.
+/// fixed: integers; z is in steps.
+enum class Arithmetic { double_precision, single_precision, fixed };
+
 /// A plane reference, resolved. With v = ((a*x + b*y) + c*z) + d and s = (v >= 0) a plus reference
 /// is inside iff s, a minus reference iff not s.
 struct Plane {
   double a = 0.0, b = 0.0, c = 0.0, d = 0.0;
   bool minus = false;
-  /// Of the fixed datapath, which decides in integers; z is in steps.
-  bool fixed = false;
-  datapath::FixedForm form{};
+  Arithmetic arithmetic = Arithmetic::double_precision;
+  datapath::FixedForm form{};  // of the fixed datapath, which decides by it
 
-  /// Evaluated in the one order that every kernel keeps.
-  double value(double x, double y, double z) const { return ((a * x + b * y) + c * z) + d; }
+  double value(double x, double y, double z) const {
+    if (arithmetic != Arithmetic::single_precision) return Row{a, b, c, d}.at(x, y, z);
+    const auto single = [](double real) { return static_cast<float>(real); };
+    return RowOf<float>{single(a), single(b), single(c), single(d)}.at(single(x), single(y),
+                                                                       single(z));
+  }
   bool inside(double x, double y, double z) const {
-    if (fixed) return (form.at(datapath::place(x, y, z)) >= 0) != minus;
+    if (arithmetic == Arithmetic::fixed) return (form.at(datapath::place(x, y, z)) >= 0) != minus;
     return (value(x, y, z) >= 0.0) != minus;
   }
   /// The value seen from inside: positive inside, whatever the sign of the reference.
@@ -60,7 +76,7 @@ struct Plane {
 inline Plane resolve(const traces::TraceView& trace, std::uint32_t reference) {
   const traces::fb::Plane& plane = trace.planes[traces::plane_index(reference)];
   // d + 0 turns -0 into +0, so that no value is ever -0 and its sign bit alone decides.
-  return {plane.a(), plane.b(), plane.c(), plane.d() + 0.0, traces::is_minus(reference), false, {}};
+  return {plane.a(), plane.b(), plane.c(), plane.d() + 0.0, traces::is_minus(reference)};
 }
 
 }  // namespace wedgesim::model

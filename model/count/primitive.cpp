@@ -25,8 +25,9 @@ void add_faces(const Operands& operands, ZMethod method, const traces::fb::Wedge
     const traces::fb::Face& face = trace.faces[wedge.first_face() + i];
     Outline outline = outline_of(trace, face);
     if (outline.empty() || outline.eye_facing() != (method == ZMethod::pass)) continue;
-    primitive.faces.push_back({std::move(outline), operands.plane(face.plane()),
-                               operands.interval(face.z_min(), face.z_max())});
+    primitive.faces.push_back(
+        {std::move(outline), operands.plane(face.plane()),
+         operands.culling_interval(operands.interval(face.z_min(), face.z_max()), primitive.z)});
     primitive.face_numbers.push_back(wedge.first_face() + i);
   }
 }
@@ -48,7 +49,9 @@ void add_vertex_bounds(const Operands& operands, const traces::fb::Wedge& wedge,
       box.z.max = std::max(box.z.max, vertex.z());
     }
   }
-  if (wedge.face_count() > 0) box.z = operands.around(box.z.min, box.z.max);
+  if (wedge.face_count() > 0) {
+    box.z = operands.culling_interval(operands.around(box.z.min, box.z.max), primitive.z);
+  }
   primitive.vertex_box = box;
 }
 

@@ -133,7 +133,7 @@ void require_effect(const std::string& file, const Configuration& configuration,
       fmt::format("{}:{}: {}", file, setting.line, setting.key),
       fmt::format("has no effect on what '{}' measures", spelling(configuration.measure)),
       timing ? "a key of [block] or, with datapath = \"fixed\", of [formats]"
-             : "exact or fixed words in a study that counts");
+             : "a study that counts");
 }
 
 }  // namespace

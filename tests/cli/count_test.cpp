@@ -156,6 +156,12 @@ TEST_F(Count, IntegersOf255AreOffered) {
   EXPECT_GT(result["configs"][0]["pixels"]["max_error"], 1e-6);
 }
 
+TEST_F(Count, SinglePrecisionIsOffered) {
+  const Json result = json({"--datapath", "float32"});
+  EXPECT_EQ(result["configs"][0]["datapath"], "float32");
+  EXPECT_GT(result["configs"][0]["pixels"]["max_error"], 1e-7);
+}
+
 TEST_F(Count, FixedDatapathHoldsThePixelBars) {
   const Json result = json({"--datapath", "fixed"});
   EXPECT_EQ(result["configuration"]["formats"]["significand_bits"], 18);

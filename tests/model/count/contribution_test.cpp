@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -26,6 +27,20 @@ TEST(UpperAngle, IsWithin1e12OfTheAngle) {
   EXPECT_EQ(upper_angle(0.0, 0.0), 0.0);
   EXPECT_DOUBLE_EQ(upper_angle(0.0, -2.0), kPi);
   EXPECT_DOUBLE_EQ(upper_angle(3.0, 0.0), kHalfPi);
+}
+
+TEST(UpperAngle, IsWithin4e7OfTheAngleInSinglePrecision) {
+  double worst = 0.0;
+  for (int i = 0; i <= 200000; ++i) {
+    const double angle = kPi * i / 200000;
+    const auto y = static_cast<float>(std::fabs(std::sin(angle)));
+    const auto x = static_cast<float>(std::cos(angle));
+    const double error = static_cast<double>(upper_angle(y, x)) -
+                         std::atan2(static_cast<double>(y), static_cast<double>(x));
+    worst = std::max(worst, std::fabs(error));
+  }
+  EXPECT_LE(worst, 4e-7);
+  EXPECT_GE(worst, 1e-7) << "not in single precision";
 }
 
 TEST(ToWord, RoundsToNearestTiesToEven) {
@@ -190,6 +205,108 @@ TEST(SphereCoverage, LooksOnlyTowardsTheLight) {
   EXPECT_EQ(coverage(sphere_at({0, 0, 0.5}, 1, {-2, 0.1, 0.4}, {2, 0.1, 0.4}), 0, 0, 0), 0.0);
 }
 
+// A light, and a wedge under it, whose points in light space are those of a matrix.
+class SinglePrecision : public testing::Test {
+ protected:
+  // The light's coordinates of window points: to about the light, w about 1, and the part of z
+  // that `offset` times a depth of 0.5 takes away again.
+  void set_matrix(double offset) {
+    std::array<double, 16> m{0.01,   0.002, 0.003,        0.0, -0.003, 0.02, 0.001, 0.0,
+                             offset, -0.4,  2.0 - offset, 0.1, -1.0,   -0.5, 2.5,   1.0};
+    depth_range_ = std::min(1e-3, 1.0 / offset);
+    m[12] -= 0.5 * offset;
+    m[14] += 0.5 * offset;
+    trace_.header.lights.resize(1);
+    trace_.header.lights[0].light_from_window =
+        traces::fb::Matrix4(flatbuffers::span<const double, 16>(m));
+  }
+  // The largest difference between both precisions at random points, under random edges.
+  double worst(traces::fb::LightShape shape) {
+    trace_.header.lights[0].shape = shape;
+    std::mt19937 random(13);
+    const auto uniform = [&](double low, double high) {
+      return low + (high - low) * (static_cast<double>(random()) * 0x1p-32);
+    };
+    double worst = 0.0;
+    partial_ = 0;
+    for (int i = 0; i < 20000; ++i) {
+      traces::fb::Wedge wedge;
+      wedge.mutate_kind(traces::fb::WedgeKind_coverage);
+      wedge.mutable_edge_begin() = {uniform(-1, 1), uniform(-1, 1), uniform(1.1, 2.0)};
+      wedge.mutable_edge_end() = {uniform(-1, 1), uniform(-1, 1), uniform(1.1, 2.0)};
+      const double x = std::floor(uniform(20, 130)) + 0.5, y = std::floor(uniform(0, 90)) + 0.5;
+      const double z =
+          static_cast<double>(static_cast<float>(uniform(0.5 - depth_range_, 0.5 + depth_range_)));
+      const double real = contribution(light_terms(trace_.view(), wedge), x, y, z);
+      const double single = contribution(single_terms(trace_.view(), wedge), x, y, z);
+      partial_ += real > 0.01 ? 1 : 0;
+      worst = std::max(worst, std::fabs(single - real));
+    }
+    return worst;
+  }
+
+  traces::Trace trace_;
+  double depth_range_ = 0.0;  // on either side of 0.5
+  int partial_ = 0;           // points that see a part
+};
+
+TEST_F(SinglePrecision, EveryOperatorOfAPlaneRounds) {
+  std::mt19937 random(14);
+  std::uniform_real_distribution<float> unit(-1.0F, 1.0F);
+  int differing = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const volatile float a = unit(random), b = unit(random), c = unit(random), d = unit(random);
+    const volatile float x = 100.0F * unit(random), y = 100.0F * unit(random), z = unit(random);
+    const volatile float ax = a * x, by = b * y, cz = c * z;
+    const volatile float ab = ax + by;
+    const volatile float abc = ab + cz;
+    const volatile float value = abc + d;
+    const Plane plane{double{a}, double{b}, double{c}, double{d}};
+    const double single = single_plane(plane).value(double{x}, double{y}, double{z});
+    ASSERT_EQ(single, double{value}) << i;
+    differing += single != static_cast<double>(
+                               static_cast<float>(plane.value(double{x}, double{y}, double{z})))
+                     ? 1
+                     : 0;
+  }
+  EXPECT_GT(differing, 100);
+}
+
+TEST_F(SinglePrecision, IsCloseToDoubleOnHarmlessPoints) {
+  set_matrix(0.5);
+  const double rectangle = worst(traces::fb::LightShape_rectangle);
+  EXPECT_GT(partial_, 2000);
+  EXPECT_LE(rectangle, 1e-4);
+  EXPECT_GE(rectangle, 1e-7) << "not in single precision";
+  const double sphere = worst(traces::fb::LightShape_sphere);
+  EXPECT_GT(partial_, 2000);
+  EXPECT_LE(sphere, 1e-4);
+  EXPECT_GE(sphere, 1e-7) << "not in single precision";
+}
+
+TEST_F(SinglePrecision, FailsWhereLargeTermsCancel) {
+  set_matrix(1e6);
+  EXPECT_GE(worst(traces::fb::LightShape_rectangle), 2.0 / 255.0);
+  EXPECT_GE(worst(traces::fb::LightShape_sphere), 2.0 / 255.0);
+}
+
+TEST_F(SinglePrecision, IsSaturatedAsInAShader) {
+  // Coordinates whose squares overflow: double has an answer, single precision none.
+  set_matrix(0.5);
+  trace_.header.lights[0].shape = traces::fb::LightShape_sphere;
+  std::array<double, 16> m{};
+  m[12] = 1e12;
+  m[13] = m[14] = m[15] = 2e12;
+  trace_.header.lights[0].light_from_window =
+      traces::fb::Matrix4(flatbuffers::span<const double, 16>(m));
+  traces::fb::Wedge wedge;
+  wedge.mutate_kind(traces::fb::WedgeKind_coverage);
+  wedge.mutable_edge_begin() = {-3, 0.5, 0.5};
+  wedge.mutable_edge_end() = {3, 0.6, 0.5};
+  EXPECT_GT(contribution(light_terms(trace_.view(), wedge), 0.5, 0.5, 0.5), 0.01);
+  EXPECT_EQ(contribution(single_terms(trace_.view(), wedge), 0.5, 0.5, 0.5), 0.0);
+}
+
 TEST(LightTerms, FollowTheMatrixAndTheEdge) {
   // A pixel's point in light space by the matrix, then the formulas above.
   traces::Trace trace;
@@ -244,6 +361,18 @@ TEST(Intensity, InterpolatesBetweenTheSides) {
   EXPECT_DOUBLE_EQ(left, 0.25);  // back 1, front 3
   EXPECT_DOUBLE_EQ(right, 0.5);
   EXPECT_NEAR(intensity(terms, 2.5, 0, 0.4), 0.75 * left + 0.25 * right, 1e-15);
+}
+
+TEST(Intensity, InSinglePrecisionIsCloseToDouble) {
+  const LinearTerms terms = linear_terms();
+  LinearTermsOf<float> single;
+  std::ranges::transform(terms.planes, single.planes.begin(), single_plane);
+  single.factors = {1, 1, 1, 1, 1, 1};
+  const auto s = static_cast<double>(intensity(single, 5.5F, 0.5F, 0.3F));
+  EXPECT_NEAR(s, intensity(terms, 5.5, 0.5, static_cast<double>(0.3F)), 1e-6);
+  EXPECT_NE(s, intensity(terms, 5.5, 0.5, static_cast<double>(0.3F))) << "not in single precision";
+  single.factors = {};
+  EXPECT_EQ(intensity(single, 5.5F, 0.5F, 0.3F), 0.5F);
 }
 
 TEST(Intensity, IsHalfWhereTheWedgeHasNoThickness) {

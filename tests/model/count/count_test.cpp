@@ -293,6 +293,23 @@ TEST(Count, AWrongTileTestShowsInTheWords) {
   EXPECT_EQ(results[1].li, std::vector<std::int64_t>(64, std::int64_t{1} << 40));
 }
 
+TEST(Count, CullingKeepsWhatSinglePrecisionTakesForInside) {
+  // At the face's column its plane is z >= 0.5, in single precision z >= 0.5 - 2^-11.
+  SyntheticTrace synthetic(16, 8, 0.49975);
+  const std::uint32_t plane = synthetic.add_plane(1000, 0, 1, -8500.5);
+  synthetic.add_face({{8, 0, 0.5}, {9, 0, 0.5}, {9, 8, 0.5}, {8, 8, 0.5}}, Facing::eye, plane);
+  synthetic.add_wedge(traces::fb::WedgeKind_coverage, {plane}, 0.2, 0.9);
+  CountOptions options;
+  options.datapath = DatapathKind::float32;
+  for (const CountConfig& config : all_configs({2, 8})) {
+    const auto results = count(synthetic.trace.view(), {&config, 1}, options);
+    ASSERT_EQ(results[0].counters->pixels_inside.value(), 8u);
+    ASSERT_EQ(results[0].wrong_contributions, 0u) << describe(config);
+    const auto exact = count(synthetic.trace.view(), {&config, 1});
+    ASSERT_EQ(exact[0].counters->pixels_inside.value(), 0u);
+  }
+}
+
 TEST(Count, PassAndFailAgreeOnClosedUmbraVolumes) {
   for (unsigned seed = 1; seed <= repetitions(20); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
