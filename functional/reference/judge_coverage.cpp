@@ -1,5 +1,7 @@
 #include "functional/reference/judge_coverage.h"
 
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 #include <vector>
@@ -28,13 +30,16 @@ bool keep_part(RealVector& a, RealVector& b, const Real& wa, const Real& wb) {
 
 std::vector<Seen> clip(const std::vector<Seen>& polygon, const HalfPlane& half_plane) {
   std::vector<Seen> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Seen& p = polygon[i];
-    const Seen& q = polygon[(i + 1) % polygon.size()];
-    const Real at_p = dot(half_plane, p);
+  if (polygon.empty()) return kept;
+  kept.reserve(polygon.size() + 1);
+  const Seen* p = &polygon.back();
+  Real at_p = dot(half_plane, *p);
+  for (const Seen& q : polygon) {
     const Real at_q = dot(half_plane, q);
-    if (at_p >= 0) kept.push_back(p);
-    if ((at_p >= 0) != (at_q >= 0)) kept.push_back(p + Real(at_p / (at_p - at_q)) * (q - p));
+    if ((at_p >= 0) != (at_q >= 0)) kept.push_back(*p + Real(at_p / (at_p - at_q)) * (q - *p));
+    if (at_q >= 0) kept.push_back(q);
+    p = &q;
+    at_p = at_q;
   }
   return kept;
 }
@@ -51,7 +56,7 @@ Real doubled_area(const std::vector<Seen>& polygon) {
 
 // Values of the size that rounding leaves are 0.
 void drop_rounding(Real& value, double terms) {
-  if (abs(value) <= kRealTie * terms) value = 0;
+  if (std::abs(value.convert_to<double>()) <= kRealTie * terms) value = 0;
 }
 
 // The way from the centre to a projected end; (1, 0) of the centre itself.
@@ -83,20 +88,20 @@ RealVector JudgedLight::operator()(const RealVector& p) const {
 Real judged_rectangle_coverage(const RealVector& point, const RealVector& begin,
                                const RealVector& end) {
   if (point.z <= 0) return 0;
+  const double at_point = magnitude(point);
+  const std::array<double, 2> at_end{magnitude(begin), magnitude(end)};
   // Homogeneous: where the ray from the point through e meets the light's plane.
-  const auto seen = [&](const RealVector& e) {
+  const auto seen = [&](const RealVector& e, double at_e) {
     Seen s = point.z * e - e.z * point;
-    const double terms = magnitude(point) * magnitude(e);
-    drop_rounding(s.x, terms);
-    drop_rounding(s.y, terms);
+    drop_rounding(s.x, at_point * at_e);
+    drop_rounding(s.y, at_point * at_e);
     s.z = point.z - e.z;
-    drop_rounding(s.z, magnitude(point) + magnitude(e));
+    drop_rounding(s.z, at_point + at_e);
     return s;
   };
-  Seen p = seen(begin);
-  Seen q = seen(end);
-  const double terms =
-      magnitude(point) * (magnitude(begin) * magnitude(q) + magnitude(end) * magnitude(p));
+  Seen p = seen(begin, at_end[0]);
+  Seen q = seen(end, at_end[1]);
+  const double terms = at_point * (at_end[0] * magnitude(q) + at_end[1] * magnitude(p));
   if (!keep_part(p, q, Real(p.z), Real(q.z))) return 0;
   HalfPlane beyond = cross(p, q);
   drop_rounding(beyond.x, terms);
@@ -157,7 +162,8 @@ Real judged_sphere_coverage(const RealVector& point, const RealVector& begin,
   const Real to = place(b);
   const Real length = abs(Real(to - from));
   const Real angle = atan2(Real(foot * length), Real(foot * foot + from * to));
-  return (angle - foot * length) / (2 * acos(Real(-1)));
+  static const Real two_pi = 2 * acos(Real(-1));
+  return (angle - foot * length) / two_pi;
 }
 
 Real judged_coverage(LightShape shape, const RealVector& point, const RealVector& begin,
