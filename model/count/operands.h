@@ -56,7 +56,9 @@ class Operands {
   /// The depths by which a face or the wedge's vertices may cull a tile: the given ones, but
   /// in single precision the wedge's, since a pixel can be inside all planes by a rounding error
   /// that is larger than what such an interval leaves out.
-  ZInterval culling_interval(ZInterval own, ZInterval wedge) const { return single() ? wedge : own; }
+  ZInterval culling_interval(ZInterval own, ZInterval wedge) const {
+    return single() ? wedge : own;
+  }
   /// Per-wedge constants of the light intensity or coverage.
   LightTerms terms(const traces::fb::Wedge& wedge) const;
 

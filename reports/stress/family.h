@@ -39,6 +39,8 @@ struct Family {
   } required;
   /// The same seed and difficulty give the same case. Difficulties between the levels work, too.
   Case (*make)(std::uint64_t seed, double difficulty);
+  /// A frame that is refused with a reason is an answer, too, at every level.
+  bool may_refuse = false;
 };
 
 /// All families, in the order of the report.

@@ -1,0 +1,378 @@
+#include "reports/stress/measure.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "base/error.h"
+#include "functional/reference/judge.h"
+#include "functional/scene/scene_check.h"
+#include "model/count/count.h"
+#include "reports/stress/evaluate.h"
+#include "traces/depth.h"
+
+namespace wedgesim::reports::stress {
+namespace {
+
+using functional::Frame;
+
+constexpr double kQuiet = 1.0 / 255.0;
+constexpr std::size_t kJumps = 24;  // pixels at which LI's step across a plane is looked at
+
+model::Datapath datapath_of(Arithmetic arithmetic, const Case& stress_case) {
+  switch (arithmetic) {
+    case Arithmetic::fixed: {
+      model::Datapath datapath(model::DatapathKind::fixed);
+      datapath.formats = stress_case.formats;
+      return datapath;
+    }
+    case Arithmetic::float32:
+      return {model::DatapathKind::float32};
+    case Arithmetic::double_precision:
+    case Arithmetic::renderer:
+      break;
+  }
+  return {model::DatapathKind::exact};
+}
+
+model::ZMethod method_of(const Frame& frame) {
+  return frame.trace.header.expected_z_method == traces::fb::ZMethod_fail ? model::ZMethod::fail
+                                                                          : model::ZMethod::pass;
+}
+
+// LI as the display reads it: what the word holds.
+std::vector<double> li_of(const std::vector<std::int64_t>& sums, const model::Datapath& datapath) {
+  std::vector<double> li;
+  li.reserve(sums.size());
+  for (const std::int64_t sum : sums) {
+    const std::int64_t word =
+        datapath.kind == model::DatapathKind::fixed ? datapath.formats.li.wrap(sum) : sum;
+    li.push_back(static_cast<double>(word) / datapath.one());
+  }
+  return li;
+}
+
+// The judge's LI of the pixels of a frame that show a surface.
+class Judged {
+ public:
+  Judged(const Case& stress_case, const Frame& frame) : case_(stress_case), frame_(frame) {
+    const std::uint32_t sky = traces::sky_word(frame.depth.format);
+    for (std::size_t i = 0; i < frame.trace.depth.size(); ++i) {
+      if (frame.trace.depth[i] != sky) pixels_.push_back(i);
+    }
+    li_ = functional::judge_light_intensity(case_.scene, frame, pixels_);
+    sensitivity_.assign(frame.trace.li_sensitivity.begin(), frame.trace.li_sensitivity.end());
+    known_.assign(sensitivity_.size(), false);
+  }
+
+  const std::vector<std::size_t>& pixels() const { return pixels_; }
+  double li(std::size_t k) const { return li_[k]; }  // of pixels()[k]
+  /// Exact where it was asked for, else the renderer's.
+  double sensitivity(std::size_t k) const { return sensitivity_[pixels_[k]]; }
+
+  /// Makes the sensitivity of some pixels exact.
+  /// \param wanted  positions in pixels()
+  void refine(const std::vector<std::size_t>& wanted) {
+    std::vector<std::size_t> where;
+    for (const std::size_t k : wanted) {
+      if (!known_[pixels_[k]]) where.push_back(k);
+    }
+    if (where.empty()) return;
+    std::vector<std::size_t> at;
+    for (const std::size_t k : where) at.push_back(pixels_[k]);
+    const auto nearer = functional::judge_light_intensity(case_.scene, frame_, at, -1);
+    const auto farther = functional::judge_light_intensity(case_.scene, frame_, at, 1);
+    for (std::size_t i = 0; i < where.size(); ++i) {
+      const std::size_t k = where[i];
+      sensitivity_[at[i]] = std::max(std::fabs(nearer[i] - li_[k]), std::fabs(farther[i] - li_[k]));
+      known_[at[i]] = true;
+    }
+  }
+
+ private:
+  const Case& case_;
+  const Frame& frame_;
+  std::vector<std::size_t> pixels_;
+  std::vector<double> li_;
+  std::vector<double> sensitivity_;  // of the frame
+  std::vector<bool> known_;
+};
+
+struct Root {
+  double sum = 0.0;
+  std::uint64_t count = 0;
+  void add(double x) {
+    sum += x * x;
+    ++count;
+  }
+  double value() const { return count == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(count)); }
+};
+
+// Pixels off by more than half beyond their sensitivity without such a pixel beside them.
+std::uint64_t count_specks(const std::vector<bool>& off, int width, int height) {
+  std::uint64_t specks = 0;
+  const auto is_off = [&](int x, int y) {
+    return x >= 0 && y >= 0 && x < width && y < height &&
+           off[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x)];
+  };
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (!is_off(x, y)) continue;
+      int beside = -1;  // itself
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) beside += is_off(x + dx, y + dy) ? 1 : 0;
+      }
+      specks += beside == 0 ? 1 : 0;
+    }
+  }
+  return specks;
+}
+
+class Measuring {
+ public:
+  explicit Measuring(const Case& stress_case)
+      : case_(stress_case), frame_(frame_of(stress_case)), judged_(timed_judge()) {}
+
+  Measurement run() {
+    result_.width = frame_.window.width;
+    result_.height = frame_.window.height;
+    result_.wedges = frame_.trace.wedges.size();
+    result_.degenerate_wedges = frame_.geometry.degenerate_wedges;
+    result_.judged = judged_.pixels().size();
+    result_.condition = condition();
+    result_.judge.assign(frame_.trace.depth.size(), std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t k = 0; k < judged_.pixels().size(); ++k) {
+      result_.judge[judged_.pixels()[k]] = static_cast<float>(judged_.li(k));
+    }
+    // The exact datapath first: it says where penumbrae are.
+    evaluate_datapath(Arithmetic::double_precision);
+    evaluate_datapath(Arithmetic::fixed);
+    evaluate_datapath(Arithmetic::float32);
+    li_[index(Arithmetic::renderer)] = frame_.trace.expected_li;
+    refine();
+    for (const Arithmetic arithmetic : kArithmetics) compare(arithmetic);
+    measure_jumps();
+    return std::move(result_);
+  }
+
+ private:
+  static std::size_t index(Arithmetic arithmetic) { return static_cast<std::size_t>(arithmetic); }
+
+  static Frame frame_of(const Case& stress_case) {
+    functional::FrameOptions options = stress_case.options;
+    options.depth = stress_case.depth.get();
+    functional::check_scene(stress_case.scene, stress_case.scene.name);
+    return functional::make_frame(stress_case.scene, options);
+  }
+
+  Judged timed_judge() {
+    const auto start = std::chrono::steady_clock::now();
+    Judged judged(case_, frame_);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    result_.judge_seconds = spent.count();
+    return judged;
+  }
+
+  double condition() const {
+    double worst = 1.0;
+    const glm::dvec3& c = case_.scene.light.centre;
+    for (const functional::ShadowWedge& wedge : frame_.geometry.wedges) {
+      const double size =
+          std::max({glm::length(wedge.begin), glm::length(wedge.end), glm::length(c)});
+      const glm::dvec3 a = wedge.begin - c;
+      const glm::dvec3 b = wedge.end - c;
+      const double area = glm::length(glm::cross(a, b));
+      worst = std::max(worst, size * (glm::length(a) + glm::length(b)) / area);
+    }
+    return worst;
+  }
+
+  void evaluate_datapath(Arithmetic arithmetic) {
+    const traces::TraceView view = frame_.trace.view();
+    const model::Datapath datapath = datapath_of(arithmetic, case_);
+    Evaluation evaluation = evaluate(view, method_of(frame_), datapath);
+    Errors& errors = result_.errors[index(arithmetic)];
+    errors.signs = evaluation.signs;
+    errors.wrong_signs = evaluation.wrong_signs;
+    errors.not_finite = evaluation.not_finite;
+    errors.saturated = evaluation.saturated;
+    errors.visits = evaluation.visits;
+    errors.seconds = evaluation.seconds;
+    for (const std::int64_t sum : evaluation.sums)
+      errors.overflowed += datapath.li_holds(sum) ? 0 : 1;
+    li_[index(arithmetic)] = li_of(evaluation.sums, datapath);
+    check_configurations(datapath, evaluation.sums);
+    if (arithmetic == Arithmetic::double_precision) {
+      contributions_ = std::move(evaluation.contributions);
+    }
+  }
+
+  void check_configurations(const model::Datapath& datapath,
+                            const std::vector<std::int64_t>& sums) {
+    using namespace model;  // NOLINT: the vocabulary of configurations
+    const std::array configs{
+        CountConfig{Mode::three_pass, 2, Cull::none, UmbraCull::none},
+        CountConfig{Mode::single_pass, 4, Cull::sat, UmbraCull::zmax, Accept::zmin, Share::all},
+        CountConfig{Mode::single_pass, 8, Cull::both, UmbraCull::zmax},
+        CountConfig{Mode::three_pass, 16, Cull::planes, UmbraCull::zmax, Accept::zmin},
+        CountConfig{Mode::single_pass, 64, Cull::zmax, UmbraCull::none},
+    };
+    CountOptions options;
+    options.threads = 1;
+    options.maps = true;
+    options.datapath = datapath;
+    for (const CountResult& result : count(frame_.trace.view(), configs, options)) {
+      const bool agrees = result.wrong_contributions == 0 && result.li == sums;
+      result_.configurations_agree = result_.configurations_agree && agrees;
+    }
+  }
+
+  void refine() {
+    std::vector<std::size_t> wanted;
+    for (std::size_t k = 0; k < judged_.pixels().size(); ++k) {
+      for (const Arithmetic arithmetic : kArithmetics) {
+        const double error = li_[index(arithmetic)][judged_.pixels()[k]] - judged_.li(k);
+        if (!(std::fabs(error) <= tolerance_of(arithmetic))) {
+          wanted.push_back(k);
+          break;
+        }
+      }
+    }
+    judged_.refine(wanted);
+    for (const std::size_t k : wanted) {
+      result_.sensitivity = std::max(result_.sensitivity, judged_.sensitivity(k));
+    }
+  }
+
+  void compare(Arithmetic arithmetic) {
+    const std::vector<double>& li = li_[index(arithmetic)];
+    Errors& errors = result_.errors[index(arithmetic)];
+    Root all;
+    Root penumbra;
+    std::vector<bool> half_off(li.size(), false);
+    std::vector<std::size_t> beyond;
+    for (std::size_t k = 0; k < judged_.pixels().size(); ++k) {
+      const std::size_t pixel = judged_.pixels()[k];
+      const double error = std::fabs(li[pixel] - judged_.li(k));
+      const double sensitivity = judged_.sensitivity(k);
+      errors.max_error = std::max(errors.max_error, error);
+      errors.max_excess = std::max(errors.max_excess, error - sensitivity);
+      errors.off += error > 1.0 / 255.0 ? 1 : 0;
+      if (!(error <= tolerance_of(arithmetic) + sensitivity)) beyond.push_back(pixel);
+      half_off[pixel] = error > 0.5 + sensitivity;
+      if (contributions_[pixel] == 0 && error > 0.0 && sensitivity == 0.0 &&
+          std::fabs(judged_.li(k) - std::nearbyint(judged_.li(k))) < 1e-12) {
+        errors.leaks += std::fabs(li[pixel] - std::nearbyint(judged_.li(k))) > 0.0 ? 1 : 0;
+      }
+      if (sensitivity <= kQuiet) {
+        all.add(error);
+        if (contributions_[pixel] > 0) penumbra.add(error);
+      }
+    }
+    errors.beyond = beyond.size();
+    errors.rms = all.value();
+    errors.rms_penumbra = penumbra.value();
+    errors.specks = count_specks(half_off, result_.width, result_.height);
+    errors.li.assign(li.begin(), li.end());
+    const bool wide = tolerance_of(arithmetic) > 1e-6;
+    errors.holds = errors.beyond == 0 && errors.specks == 0 && errors.not_finite == 0 &&
+                   (!wide || (errors.rms <= kLargestRms && errors.rms_penumbra <= kLargestRms));
+    count_unflagged(arithmetic, beyond);
+  }
+
+  void count_unflagged(Arithmetic arithmetic, const std::vector<std::size_t>& beyond) {
+    if (beyond.empty()) return;
+    const auto wedges = wedges_at(frame_.trace.view(), beyond);
+    const std::vector<Flagged>& flagged = result_.flagged[index(arithmetic)];
+    for (const auto& at_pixel : wedges) {
+      const bool found = std::any_of(at_pixel.begin(), at_pixel.end(), [&](std::uint32_t w) {
+        return std::any_of(flagged.begin(), flagged.end(),
+                           [w](const Flagged& flag) { return flag.wedge == w; });
+      });
+      result_.errors[index(arithmetic)].unflagged += found ? 0 : 1;
+    }
+  }
+
+  // Puts stored depths on either side of a plane of a wedge, another at each pixel, and compares
+  // how LI steps from one to the other.
+  void measure_jumps() {
+    const traces::TraceView view = frame_.trace.view();
+    const std::size_t stride = 1 + judged_.pixels().size() / kJumps;
+    std::vector<std::size_t> pixels;
+    for (std::size_t k = 0; k < judged_.pixels().size(); k += stride) {
+      pixels.push_back(judged_.pixels()[k]);
+    }
+    const auto wedges = wedges_at(view, pixels);
+    std::array<Frame, 2> sides{frame_, frame_};
+    std::vector<std::size_t> moved;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      if (!wedges[i].empty() && move_onto_plane(pixels[i], wedges[i], sides)) {
+        moved.push_back(pixels[i]);
+      }
+    }
+    if (moved.empty()) return;
+    std::array<std::vector<double>, 2> exact;
+    for (std::size_t s = 0; s < 2; ++s) {
+      exact[s] = functional::judge_light_intensity(case_.scene, sides[s], moved);
+    }
+    for (const Arithmetic arithmetic :
+         {Arithmetic::fixed, Arithmetic::float32, Arithmetic::double_precision}) {
+      const model::Datapath datapath = datapath_of(arithmetic, case_);
+      std::array<std::vector<double>, 2> li;
+      for (std::size_t s = 0; s < 2; ++s) {
+        li[s] = li_of(evaluate(sides[s].trace.view(), method_of(frame_), datapath).sums, datapath);
+      }
+      Errors& errors = result_.errors[index(arithmetic)];
+      for (std::size_t i = 0; i < moved.size(); ++i) {
+        const double step = li[1][moved[i]] - li[0][moved[i]];
+        errors.jump = std::max(errors.jump, std::fabs(step - (exact[1][i] - exact[0][i])));
+      }
+    }
+  }
+
+  bool move_onto_plane(std::size_t pixel, const std::vector<std::uint32_t>& wedges,
+                       std::array<Frame, 2>& sides) const {
+    const traces::fb::Wedge& wedge = frame_.trace.wedges[wedges[pixel % wedges.size()]];
+    const auto chosen = static_cast<std::uint16_t>(pixel % (wedge.plane_count() + 1U));
+    const std::uint32_t reference =
+        chosen == wedge.plane_count() ? wedge.umbra_plane() : (*wedge.planes())[chosen];
+    const traces::fb::Plane& plane = frame_.trace.planes[traces::plane_index(reference)];
+    const auto width = static_cast<std::size_t>(result_.width);
+    const double x = static_cast<double>(pixel % width) + 0.5;
+    const double y = static_cast<double>(pixel / width) + 0.5;
+    const double z = -((plane.a() * x + plane.b() * y) + plane.d()) / plane.c();
+    if (!(z > 0.0 && z < 1.0)) return false;
+    const traces::fb::DepthFormat format = frame_.depth.format;
+    std::uint32_t before = traces::encode_depth(format, z);
+    if (traces::decode_depth(format, before) > z) before = traces::step_depth(format, before, -1);
+    const std::uint32_t behind = traces::step_depth(format, before, 1);
+    if (behind == traces::sky_word(format)) return false;
+    sides[0].trace.depth[pixel] = sides[0].depth.words[pixel] = before;
+    sides[1].trace.depth[pixel] = sides[1].depth.words[pixel] = behind;
+    return true;
+  }
+
+  const Case& case_;
+  Measurement result_;
+  Frame frame_;
+  Judged judged_;
+  std::array<std::vector<double>, kArithmetics.size()> li_;  // (height, width)
+  std::vector<std::uint32_t> contributions_;                 // of the exact datapath
+};
+
+}  // namespace
+
+Measurement measure(const Case& stress_case) {
+  try {
+    return Measuring(stress_case).run();
+  } catch (const InputError& error) {
+    Measurement refused;
+    refused.refused = error.what();
+    return refused;
+  }
+}
+
+}  // namespace wedgesim::reports::stress

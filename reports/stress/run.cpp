@@ -1,0 +1,153 @@
+#include "reports/stress/run.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace wedgesim::reports::stress {
+namespace {
+
+bool answered(const Family& family, const Measurement& measurement, Arithmetic arithmetic) {
+  if (measurement.refused) return family.may_refuse;
+  return measurement.errors[static_cast<std::size_t>(arithmetic)].holds;
+}
+
+void drop_pictures(Measurement& measurement) {
+  measurement.judge = {};
+  for (Errors& errors : measurement.errors) errors.li = {};
+}
+
+FamilyResult measure_family(const Family& family, std::uint64_t seeds) {
+  FamilyResult result;
+  result.family = &family;
+  result.levels.assign(family.levels.size(), std::vector<Measurement>(seeds));
+  const std::size_t cases = family.levels.size() * seeds;
+  tbb::parallel_for(std::size_t{0}, cases, [&](std::size_t i) {
+    const std::size_t level = i / seeds;
+    const std::uint64_t seed = i % seeds;
+    result.levels[level][seed] = measure(family.make(seed, family.levels[level]));
+  });
+  return result;
+}
+
+// Pictures are of the first failure of each arithmetic alone.
+void keep_first_failures(FamilyResult& result) {
+  std::vector<const Measurement*> kept;
+  for (const Arithmetic arithmetic : kArithmetics) {
+    const std::size_t level = result.levels_held(arithmetic);
+    if (level == result.levels.size()) continue;
+    if (const auto seed = result.first_failure(arithmetic, level)) {
+      kept.push_back(&result.levels[level][*seed]);
+    }
+  }
+  for (auto& level : result.levels) {
+    for (Measurement& measurement : level) {
+      if (std::find(kept.begin(), kept.end(), &measurement) == kept.end()) {
+        drop_pictures(measurement);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::size_t FamilyResult::levels_held(Arithmetic arithmetic) const {
+  std::size_t held = 0;
+  for (const auto& level : levels) {
+    const bool all = std::all_of(level.begin(), level.end(), [&](const Measurement& m) {
+      return answered(*family, m, arithmetic);
+    });
+    if (!all) break;
+    ++held;
+  }
+  return held;
+}
+
+std::optional<double> FamilyResult::holds_to(Arithmetic arithmetic) const {
+  const std::size_t held = levels_held(arithmetic);
+  if (held == 0) return {};
+  return family->levels[held - 1];
+}
+
+std::optional<double> FamilyResult::required(Arithmetic arithmetic) const {
+  if (arithmetic == Arithmetic::fixed) return family->required.fixed;
+  if (arithmetic == Arithmetic::float32) return {};
+  return family->required.double_precision;
+}
+
+std::optional<std::uint64_t> FamilyResult::first_failure(Arithmetic arithmetic,
+                                                         std::size_t level) const {
+  for (std::uint64_t seed = 0; seed < levels[level].size(); ++seed) {
+    const Measurement& m = levels[level][seed];
+    if (!m.refused && !answered(*family, m, arithmetic)) return seed;
+  }
+  return {};
+}
+
+std::vector<std::string> FamilyResult::complaints() const {
+  std::vector<std::string> complaints;
+  for (const Arithmetic arithmetic : kArithmetics) {
+    const std::optional<double> must = required(arithmetic);
+    if (must) {
+      const auto position = std::find(family->levels.begin(), family->levels.end(), *must);
+      const auto needed = static_cast<std::size_t>(position - family->levels.begin()) + 1;
+      if (levels_held(arithmetic) < needed) {
+        const auto reached = holds_to(arithmetic);
+        complaints.push_back(fmt::format("{} holds to {}, must hold to {:g}", name_of(arithmetic),
+                                         reached ? fmt::format("{:g}", *reached) : "nothing",
+                                         *must));
+      }
+    }
+    std::uint64_t unflagged = 0;
+    for (const auto& level : levels) {
+      for (const Measurement& m : level) {
+        unflagged += m.errors[static_cast<std::size_t>(arithmetic)].unflagged;
+      }
+    }
+    if (unflagged > 0) {
+      complaints.push_back(fmt::format("{}: {} pixels beyond the bar belong to no flagged wedge",
+                                       name_of(arithmetic), unflagged));
+    }
+  }
+  for (const auto& level : levels) {
+    for (const Measurement& m : level) {
+      if (!m.refused && !m.configurations_agree) {
+        complaints.push_back("modes, cullings and tile sizes do not agree");
+        return complaints;
+      }
+    }
+  }
+  return complaints;
+}
+
+const Family& find_family(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Family& family : families()) {
+    if (family.name == name) return family;
+    names.push_back(family.name);
+  }
+  throw InputError(fmt::format("family {}", name), "there is none of this name",
+                   fmt::format("one of {}", fmt::join(names, ", ")));
+}
+
+std::vector<FamilyResult> run(const RunOptions& options,
+                              const std::function<void(std::string_view)>& progress) {
+  std::vector<const Family*> chosen;
+  for (const std::string& name : options.families) chosen.push_back(&find_family(name));
+  if (chosen.empty()) {
+    for (const Family& family : families()) chosen.push_back(&family);
+  }
+  std::vector<FamilyResult> results;
+  for (const Family* family : chosen) {
+    progress(family->name);
+    results.push_back(measure_family(*family, options.seeds));
+    keep_first_failures(results.back());
+  }
+  return results;
+}
+
+}  // namespace wedgesim::reports::stress

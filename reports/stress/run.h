@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/stress/family.h"
+#include "reports/stress/measure.h"
+
+namespace wedgesim::reports::stress {
+
+struct RunOptions {
+  std::vector<std::string> families;  // names; empty: all
+  std::uint64_t seeds = kVariants;    // 0 ... seeds - 1
+};
+
+/// One family's measurements.
+struct FamilyResult {
+  const Family* family = nullptr;
+  /// [level][seed]; only the first failure of each arithmetic keeps its pictures.
+  std::vector<std::vector<Measurement>> levels;
+
+  /// Of the levels up to here each is right, or refused where that is an answer.
+  /// \return how many levels from the first
+  std::size_t levels_held(Arithmetic arithmetic) const;
+  /// The hardest level up to which the bar holds; none: not even the first.
+  std::optional<double> holds_to(Arithmetic arithmetic) const;
+  /// The hardest level that must hold, of an arithmetic that has one.
+  std::optional<double> required(Arithmetic arithmetic) const;
+  /// The seed of a level's first measurement beyond the bar.
+  std::optional<std::uint64_t> first_failure(Arithmetic arithmetic, std::size_t level) const;
+  /// What is wrong with it: nothing if it is as it must be.
+  std::vector<std::string> complaints() const;
+};
+
+/// Measures families at all levels and seeds, many cases at a time; the result does not depend on
+/// how many.
+/// \param progress  told the name of each family that is done
+/// \throws InputError naming a family that is not there
+std::vector<FamilyResult> run(const RunOptions& options,
+                              const std::function<void(std::string_view)>& progress);
+
+/// \throws InputError naming all families
+const Family& find_family(std::string_view name);
+
+}  // namespace wedgesim::reports::stress

@@ -1,0 +1,190 @@
+#include "reports/stress/stress_json.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wedgesim::reports::stress {
+namespace {
+
+Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+std::size_t index(Arithmetic arithmetic) { return static_cast<std::size_t>(arithmetic); }
+
+// Wedges as ranges, first and last: a frame may have 100,000 of them.
+Json ranges_of(const std::vector<Flagged>& flagged) {
+  Json ranges = Json::array();
+  for (std::size_t i = 0; i < flagged.size();) {
+    std::size_t last = i;
+    while (last + 1 < flagged.size() && flagged[last + 1].reason == flagged[i].reason &&
+           flagged[last + 1].wedge == flagged[last].wedge + 1) {
+      ++last;
+    }
+    ranges.push_back(
+        {{"wedges", {flagged[i].wedge, flagged[last].wedge}}, {"reason", flagged[i].reason}});
+    i = last + 1;
+  }
+  return ranges;
+}
+
+// The worst of a level's seeds.
+Json errors_json(const std::vector<Measurement>& seeds, Arithmetic arithmetic) {
+  Errors worst;
+  worst.holds = true;
+  for (const Measurement& m : seeds) {
+    if (m.refused) continue;
+    const Errors& e = m.errors[index(arithmetic)];
+    worst.max_error = std::max(worst.max_error, e.max_error);
+    worst.max_excess = std::max(worst.max_excess, e.max_excess);
+    worst.rms = std::max(worst.rms, e.rms);
+    worst.rms_penumbra = std::max(worst.rms_penumbra, e.rms_penumbra);
+    worst.jump = std::max(worst.jump, e.jump);
+    worst.off += e.off;
+    worst.beyond += e.beyond;
+    worst.specks += e.specks;
+    worst.leaks += e.leaks;
+    worst.signs += e.signs;
+    worst.wrong_signs += e.wrong_signs;
+    worst.not_finite += e.not_finite;
+    worst.saturated += e.saturated;
+    worst.overflowed += e.overflowed;
+    worst.unflagged += e.unflagged;
+    worst.holds = worst.holds && e.holds;
+  }
+  return {{"max_error", worst.max_error},
+          {"max_excess", worst.max_excess},
+          {"rms_error", worst.rms},
+          {"rms_penumbra", worst.rms_penumbra},
+          {"pixels_off", worst.off},
+          {"pixels_beyond_bar", worst.beyond},
+          {"pixels_beyond_bar_unflagged", worst.unflagged},
+          {"specks", worst.specks},
+          {"leaks", worst.leaks},
+          {"jump", worst.jump},
+          {"signs", worst.signs},
+          {"wrong_signs", worst.wrong_signs},
+          {"not_finite", worst.not_finite},
+          {"saturated", worst.saturated},
+          {"overflowed", worst.overflowed},
+          {"holds", worst.holds}};
+}
+
+Json levels_json(const FamilyResult& result) {
+  Json levels = Json::array();
+  for (std::size_t i = 0; i < result.levels.size(); ++i) {
+    double condition = 1.0;
+    std::size_t wedges = 0;
+    std::size_t degenerate = 0;
+    std::size_t judged = 0;
+    Json refused = Json::array();
+    for (std::size_t seed = 0; seed < result.levels[i].size(); ++seed) {
+      const Measurement& m = result.levels[i][seed];
+      if (m.refused) {
+        refused.push_back({{"seed", seed}, {"why", *m.refused}});
+        continue;
+      }
+      condition = std::max(condition, m.condition);
+      wedges += m.wedges;
+      degenerate += m.degenerate_wedges;
+      judged += m.judged;
+    }
+    Json level{{"difficulty", result.family->levels[i]},
+               {"condition", std::isfinite(condition) ? Json(condition) : Json(nullptr)},
+               {"wedges", wedges},
+               {"degenerate_wedges", degenerate},
+               {"pixels", judged},
+               {"refused", refused}};
+    for (const Arithmetic a : kArithmetics) {
+      level["arithmetics"][name_of(a)] = errors_json(result.levels[i], a);
+    }
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+Json flagged_json(const FamilyResult& result) {
+  Json flagged = Json::array();
+  for (std::size_t i = 0; i < result.levels.size(); ++i) {
+    for (std::size_t seed = 0; seed < result.levels[i].size(); ++seed) {
+      for (const Arithmetic a : kArithmetics) {
+        const Measurement& m = result.levels[i][seed];
+        if (m.flagged[index(a)].empty()) continue;
+        flagged.push_back({{"family", result.family->name},
+                           {"seed", seed},
+                           {"difficulty", result.family->levels[i]},
+                           {"arithmetic", name_of(a)},
+                           {"pixels_beyond_bar", m.errors[index(a)].beyond},
+                           {"ranges", ranges_of(m.flagged[index(a)])}});
+      }
+    }
+  }
+  return flagged;
+}
+
+Json timing_of(const FamilyResult& result) {
+  Json timing = Json::object();
+  for (const Arithmetic a :
+       {Arithmetic::fixed, Arithmetic::float32, Arithmetic::double_precision}) {
+    double seconds = 0.0;
+    std::uint64_t visits = 0;
+    for (const auto& level : result.levels) {
+      for (const Measurement& m : level) {
+        seconds += m.errors[index(a)].seconds;
+        visits += m.errors[index(a)].visits;
+      }
+    }
+    timing[std::string(name_of(a))] =
+        visits == 0 ? Json(nullptr) : Json(1e9 * seconds / static_cast<double>(visits));
+  }
+  return timing;
+}
+
+Json family_json(const FamilyResult& result) {
+  const Family& family = *result.family;
+  Json json{{"name", family.name},
+            {"parameter", family.parameter},
+            {"unit", family.unit},
+            {"arithmetics", Json::object()},
+            {"holds_to", Json::object()},
+            {"required", Json::object()},
+            {"complaints", result.complaints()},
+            {"held", result.complaints().empty()},
+            {"levels", levels_json(result)}};
+  for (const Arithmetic a : kArithmetics) {
+    const std::string name(name_of(a));
+    const std::size_t held = result.levels_held(a);
+    Json entry{{"tolerance", tolerance_of(a)},
+               {"holds_to", number(result.holds_to(a))},
+               {"required", number(result.required(a))},
+               {"first_broken", nullptr}};
+    if (held < result.levels.size()) {
+      const auto seed = result.first_failure(a, held);
+      entry["first_broken"] = {{"difficulty", family.levels[held]},
+                               {"seed", seed ? Json(*seed) : Json(nullptr)}};
+    }
+    json["arithmetics"][name] = std::move(entry);
+    json["holds_to"][name] = number(result.holds_to(a));
+    json["required"][name] = number(result.required(a));
+  }
+  json["timing"]["nanoseconds_a_contribution"] = timing_of(result);
+  return json;
+}
+
+}  // namespace
+
+Json stress_json(const RunOptions& options, const std::vector<FamilyResult>& results) {
+  Json json;
+  json["schema"] = "wedgesim.stress/1";
+  json["configuration"] = {{"seeds", options.seeds}, {"rms_bar", kLargestRms}};
+  for (const Arithmetic a : kArithmetics) {
+    json["configuration"]["tolerance"][name_of(a)] = tolerance_of(a);
+  }
+  json["families"] = Json::array();
+  json["flagged"] = Json::array();
+  for (const FamilyResult& result : results) {
+    json["families"].push_back(family_json(result));
+    for (Json& flag : flagged_json(result)) json["flagged"].push_back(std::move(flag));
+  }
+  return json;
+}
+
+}  // namespace wedgesim::reports::stress
