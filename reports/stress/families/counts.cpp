@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <string>
+#include <utility>
 
 #include "reports/stress/families/groups.h"
 #include "reports/stress/families/parts.h"
@@ -8,18 +11,21 @@
 namespace wedgesim::reports::stress {
 namespace {
 
+// The whole number of a difficulty, which may lie between the levels.
+int whole(double difficulty, int least) {
+  return std::max(least, static_cast<int>(std::lround(difficulty)));
+}
+
 // Plates one below the other, all over one shadow.
 Case overlap(std::uint64_t seed, double volumes) {
   Stage stage = make_stage(seed, kLightRadius);
-  const int count = static_cast<int>(std::lround(volumes));
+  const int count = whole(volumes, 1);
   const double turn = stage.random.between(0.0, 1.5);
   for (int i = 0; i < count; ++i) {
     const double depth = kDepth - 2.0 * i / count;
     const double across = kAcross * stage.random.between(0.9, 1.1);
-    std::vector<glm::dvec3> loop;
-    for (const Slope& slope : ring(stage.aim, across, 4, turn + stage.random.between(-0.1, 0.1))) {
-      loop.push_back(below(stage.light(), slope, depth));
-    }
+    const std::vector<glm::dvec3> loop = below(
+        stage.light(), ring(stage.aim, across, 4, turn + stage.random.between(-0.1, 0.1)), depth);
     add_caster(stage.result, between_pyramids(stage.light(), stage.aim, loop),
                "plate-" + std::to_string(i));
   }
@@ -30,12 +36,10 @@ Case overlap(std::uint64_t seed, double volumes) {
 Case many_edges(std::uint64_t seed, double edges) {
   constexpr double kRound = 0.08;
   constexpr double kHalfWay = 4.0;
-  const int count = static_cast<int>(std::lround(edges));
+  const int count = whole(edges, 3);
   Stage stage = make_stage(seed, 2.0);
-  std::vector<glm::dvec3> loop;
-  for (const Slope& slope : ring(stage.aim, kRound, count, stage.random.between(0.0, 1.5))) {
-    loop.push_back(below(stage.light(), slope, kHalfWay));
-  }
+  const std::vector<glm::dvec3> loop = below(
+      stage.light(), ring(stage.aim, kRound, count, stage.random.between(0.0, 1.5)), kHalfWay);
   add_caster(stage.result, between_pyramids(stage.light(), stage.aim, loop));
   stage.camera().field_of_view_degrees = 17.0;
   // Fewer pixels where each costs more.
@@ -56,7 +60,7 @@ Case many_edges_wide(std::uint64_t seed, double edges) {
 // fan of triangles turns towards the light and away again as often as the degree says.
 Case vertex_degree(std::uint64_t seed, double degree) {
   Stage stage = make_stage(seed, kLightRadius);
-  const int waves = static_cast<int>(std::lround(0.5 * degree)) + 1;
+  const int waves = whole(0.5 * degree, 1) + 1;
   const int count = 4 * waves;
   const glm::dvec3 apex = below(stage.light(), stage.aim, 4.5);
   const glm::dvec3 up = glm::normalize(stage.light().centre - apex);

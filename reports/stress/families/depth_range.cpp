@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "reports/stress/families/groups.h"
 #include "reports/stress/families/parts.h"
 

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "reports/stress/families/groups.h"
 #include "reports/stress/families/parts.h"

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "functional/scene/primitives.h"
 #include "functional/scene/transform.h"
@@ -19,8 +20,7 @@ Case small_light(std::uint64_t seed, double ratio) {
   const functional::Light& light = stage.light();
   const std::vector<Slope> corners =
       ring(stage.aim, kRadius / kDepth, 4, stage.random.between(0.0, 1.5));
-  std::vector<glm::dvec3> loop;
-  for (const Slope& slope : corners) loop.push_back(below(light, slope, kDepth));
+  const std::vector<glm::dvec3> loop = below(light, corners, kDepth);
   add_caster(stage.result, between_pyramids(light, stage.aim, loop));
 
   const glm::dvec3 along = glm::normalize(loop[1] - loop[0]);
@@ -40,11 +40,9 @@ Case small_light(std::uint64_t seed, double ratio) {
 Case large_light(std::uint64_t seed, double ratio) {
   constexpr double kNear = 3.0;
   Stage stage = make_stage(seed, kRadius);
-  std::vector<glm::dvec3> loop;
   const double radius = kRadius / ratio / kNear;
-  for (const Slope& slope : ring(stage.aim, radius, 4, stage.random.between(0.0, 1.5))) {
-    loop.push_back(below(stage.light(), slope, kNear));
-  }
+  const std::vector<glm::dvec3> loop =
+      below(stage.light(), ring(stage.aim, radius, 4, stage.random.between(0.0, 1.5)), kNear);
   add_caster(stage.result, between_pyramids(stage.light(), stage.aim, loop));
   return std::move(stage.result);
 }

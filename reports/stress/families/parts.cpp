@@ -99,6 +99,13 @@ glm::dvec3 below(const Light& light, const Slope& slope, double depth) {
   return light.centre + depth * glm::dvec3(slope.x, -1.0, slope.y);
 }
 
+std::vector<glm::dvec3> below(const Light& light, const std::vector<Slope>& slopes, double depth) {
+  std::vector<glm::dvec3> points;
+  points.reserve(slopes.size());
+  for (const Slope& slope : slopes) points.push_back(below(light, slope, depth));
+  return points;
+}
+
 Slope on_grid(const Slope& slope) {
   return {grid(slope.x, 1.0 / 1024.0), grid(slope.y, 1.0 / 1024.0)};
 }
@@ -131,10 +138,8 @@ functional::Mesh between_pyramids(const Light& light, const Slope& middle,
 }
 
 std::vector<glm::dvec3> add_plate(Stage& stage) {
-  std::vector<glm::dvec3> loop;
-  for (const Slope& slope : ring(stage.aim, kAcross, 4, stage.random.between(0.0, 1.5))) {
-    loop.push_back(below(stage.light(), slope, kDepth));
-  }
+  const double turn = stage.random.between(0.0, 1.5);
+  std::vector<glm::dvec3> loop = below(stage.light(), ring(stage.aim, kAcross, 4, turn), kDepth);
   add_caster(stage.result, between_pyramids(stage.light(), stage.aim, loop));
   return loop;
 }
@@ -152,10 +157,12 @@ std::vector<double> decades(int first, int last) {
   static constexpr std::array kPowers{1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4,
                                       1e-3,  1e-2,  1e-1,  1e0,  1e1,  1e2,  1e3,  1e4,  1e5,
                                       1e6,   1e7,   1e8,   1e9,  1e10, 1e11, 1e12};
+  constexpr int kZero = 12;  // the index of 10^0
   std::vector<double> powers;
   const int step = first <= last ? 1 : -1;
   for (int i = first; i != last + step; i += step) {
-    powers.push_back(kPowers.at(static_cast<std::size_t>(i + 12)));
+    const int index = i + kZero;
+    powers.push_back(kPowers.at(static_cast<std::size_t>(index)));
   }
   return powers;
 }

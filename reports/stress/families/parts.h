@@ -58,9 +58,11 @@ double radius_of(const functional::Light& light);
 /// Scales a light to a radius; 0 makes it a point.
 void resize(functional::Light& light, double radius);
 
-/// The point below the light in a direction.
+/// The point, or points, below the light in a direction.
 /// \param depth  along y, world units
 glm::dvec3 below(const functional::Light& light, const Slope& slope, double depth);
+std::vector<glm::dvec3> below(const functional::Light& light, const std::vector<Slope>& slopes,
+                              double depth);
 /// The slope rounded to 1/1024, so that points in it at depths of few bits are exact.
 Slope on_grid(const Slope& slope);
 /// Slopes of a regular polygon round `middle`, from +x towards +z.

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "reports/stress/families/groups.h"
 #include "reports/stress/families/parts.h"

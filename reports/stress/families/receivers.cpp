@@ -69,29 +69,37 @@ class OnPlanes {
   template <typename PlanesOf>
   std::shared_ptr<const functional::DepthBuffer> moved(double steps, PlanesOf planes_of) const {
     auto buffer = std::make_shared<functional::DepthBuffer>(frame_.depth);
-    const auto width = static_cast<std::size_t>(buffer->width);
-    for (std::size_t i = 0; i < buffer->words.size(); ++i) {
-      const double x = static_cast<double>(i % width) + 0.5;
-      const double y = static_cast<double>(i / width) + 0.5;
-      const double seen = traces::decode_depth(buffer->format, buffer->words[i]);
-      double best = 2.0;
-      for (const fb::Wedge& wedge : frame_.trace.wedges) {
-        for (const std::uint32_t reference : planes_of(wedge)) {
-          const double z = depth_on(frame_.trace.planes[reference / 2], x, y);
-          if (std::abs(z - seen) < std::abs(best - seen) && is_in(wedge, reference, x, y, z)) {
-            best = z;
-          }
-        }
+    for (int row = 0; row < buffer->height; ++row) {
+      for (int column = 0; column < buffer->width; ++column) {
+        const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(buffer->width) +
+                       static_cast<std::size_t>(column);
+        const double seen = traces::decode_depth(buffer->format, buffer->words[i]);
+        const double z = nearest(column + 0.5, row + 0.5, seen, planes_of);
+        if (z > 1.0) continue;
+        const std::int64_t off = std::llround(steps) * (i % 2 == 0 ? 1 : -1);
+        buffer->words[i] =
+            static_cast<std::uint32_t>(std::int64_t{traces::encode_depth(buffer->format, z)} + off);
       }
-      if (best > 1.0) continue;
-      const auto off = static_cast<std::int64_t>(std::lround(steps)) * (i % 2 == 0 ? 1 : -1);
-      buffer->words[i] = static_cast<std::uint32_t>(
-          std::int64_t{traces::encode_depth(buffer->format, best)} + off);
     }
     return buffer;
   }
 
  private:
+  // The depth of the point nearest to the one seen, or above 1.
+  template <typename PlanesOf>
+  double nearest(double x, double y, double seen, PlanesOf planes_of) const {
+    double best = 2.0;
+    for (const fb::Wedge& wedge : frame_.trace.wedges) {
+      for (const std::uint32_t reference : planes_of(wedge)) {
+        const double z = depth_on(frame_.trace.planes[reference / 2], x, y);
+        if (std::abs(z - seen) < std::abs(best - seen) && is_in(wedge, reference, x, y, z)) {
+          best = z;
+        }
+      }
+    }
+    return best;
+  }
+
   static double depth_on(const fb::Plane& plane, double x, double y) {
     return -((plane.a() * x + plane.b() * y) + plane.d()) / plane.c();
   }

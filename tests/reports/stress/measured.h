@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string_view>
 
 #include "reports/stress/family.h"
@@ -9,7 +10,9 @@ namespace wedgesim::reports::stress {
 /// What a case's geometry is, in the unit of its family's difficulty.
 using Measure = double (*)(const Case&);
 
-/// How to measure a family's cases without knowing how they are made; null if there is no way.
-Measure measure_of(std::string_view family);
+/// By family, how to measure its cases without knowing how they are made: from the caster and the
+/// light, and from the frame and the eye. Families of neither have no such measure.
+std::map<std::string_view, Measure> caster_measures();
+std::map<std::string_view, Measure> view_measures();
 
 }  // namespace wedgesim::reports::stress

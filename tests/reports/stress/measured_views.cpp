@@ -1,137 +1,17 @@
-#include "tests/reports/stress/measured.h"
-
-#include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <map>
-#include <vector>
 
 #include "functional/geometry/extent.h"
 #include "functional/geometry/segment.h"
-#include "functional/geometry/silhouette.h"
 #include "functional/raster/depth_buffer.h"
 #include "functional/raster/window.h"
+#include "tests/reports/stress/measured.h"
+#include "tests/reports/stress/silhouettes.h"
 
 namespace wedgesim::reports::stress {
 namespace {
 
 using functional::Light;
 using functional::LightShape;
-
-constexpr double kLightHeight = 8.0;
-
-struct Edge {
-  glm::dvec3 begin, end;
-};
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
-double radius_of(const Light& light) {
-  return light.shape == LightShape::rectangle ? glm::length(light.half_u) : light.radius;
-}
-
-const functional::Mesh& caster(const Case& made) { return made.scene.objects[1].mesh; }
-
-/// The loops of the first caster's silhouette. Vertices, not positions: edges of no length count.
-std::vector<std::vector<Edge>> loops(const Case& made) {
-  const functional::Mesh& mesh = caster(made);
-  std::vector<std::vector<Edge>> result;
-  for (const auto& loop : functional::find_silhouette(mesh, made.scene.light.centre).loops) {
-    auto& edges = result.emplace_back();
-    for (const auto& e : loop) edges.push_back({mesh.positions[e.begin], mesh.positions[e.end]});
-  }
-  return result;
-}
-
-std::vector<Edge> first_loop(const Case& made) { return loops(made).at(0); }
-
-template <typename Value>
-double least_of_edges(const Case& made, Value value) {
-  double least = 1e300;
-  for (const auto& loop : loops(made)) {
-    for (const Edge& edge : loop) least = std::min(least, value(edge));
-  }
-  return least;
-}
-
-template <typename Value>
-double least_of_corners(const Case& made, Value value) {
-  double least = 1e300;
-  for (const auto& loop : loops(made)) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Edge& next = loop[(i + 1) % loop.size()];
-      least = std::min(least, value(loop[i].end - loop[i].begin, next.end - next.begin));
-    }
-  }
-  return least;
-}
-
-double to_line_of_light(const Case& made) {
-  return least_of_edges(made, [&](const Edge& edge) {
-    const glm::dvec3 along = edge.end - edge.begin;
-    const double angle =
-        angle_between(along, 0.5 * (edge.begin + edge.end) - made.scene.light.centre);
-    return std::min(angle, M_PI - angle);
-  });
-}
-
-// Of every edge between two vertices of the mesh's loop, whether it is in the silhouette or not.
-double line_from_light(const Case& made) {
-  const Light& light = made.scene.light;
-  const functional::Mesh& mesh = caster(made);
-  double least = 1e300;
-  for (std::size_t i = 0; i + 3 < mesh.positions.size(); ++i) {
-    const glm::dvec3 p = mesh.positions[i] - light.centre;
-    const glm::dvec3 q = mesh.positions[i + 1] - light.centre;
-    least = std::min(least, glm::length(glm::cross(p, q)) / glm::length(q - p));
-  }
-  return least / radius_of(light);
-}
-
-double turn_at_corners(const Case& made) { return least_of_corners(made, angle_between); }
-
-double corner_angle(const Case& made) {
-  return least_of_corners(
-      made, [](const glm::dvec3& a, const glm::dvec3& b) { return angle_between(-a, b); });
-}
-
-double ratio_of_distances(const Case& made) {
-  return 1.0 / least_of_edges(made, [&](const Edge& edge) {
-           const double a = glm::distance(edge.begin, made.scene.light.centre);
-           const double b = glm::distance(edge.end, made.scene.light.centre);
-           return std::min(a, b) / std::max(a, b);
-         });
-}
-
-double edge_length(const Case& made) {
-  const functional::Mesh& mesh = caster(made);
-  double least = 1e300;
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      least = std::min(least, glm::distance(mesh.positions[t[i]], mesh.positions[t[(i + 1) % 3]]));
-    }
-  }
-  return least / kLightHeight;
-}
-
-double light_against_occluder(const Case& made) {
-  glm::dvec3 middle(0.0);
-  double farthest = 0.0;
-  const auto loop = first_loop(made);
-  for (const Edge& edge : loop) middle += edge.begin / static_cast<double>(loop.size());
-  for (const Edge& edge : loop) farthest = std::max(farthest, glm::distance(edge.begin, middle));
-  return radius_of(made.scene.light) / farthest;
-}
-
-double gap_to_light(const Case& made) {
-  const Light& light = made.scene.light;
-  double highest = -1e300;
-  for (const glm::dvec3& p : caster(made).positions) highest = std::max(highest, p.y);
-  const double bottom = light.centre.y - (light.shape == LightShape::sphere ? light.radius : 0.0);
-  return (bottom - highest) / radius_of(light);
-}
 
 // The farthest of the points seen in the middle row from the nearest silhouette edge.
 double row_from_edge(const Case& made) {
@@ -188,18 +68,6 @@ double steps_from_quads(const Case& made) {
 
 double depth_ratio(const Case& made) {
   return made.scene.camera.far_plane / made.scene.camera.near_plane;
-}
-
-const std::vector<glm::dvec3>& floor(const Case& made) {
-  return made.scene.objects[0].mesh.positions;
-}
-
-double floor_from_origin(const Case& made) {
-  return glm::length(0.5 * (floor(made).front() + floor(made).back())) / kLightHeight;
-}
-
-double floor_scale(const Case& made) {
-  return glm::length(floor(made)[1] - floor(made)[0]) / (3.0 * kLightHeight);
 }
 
 // The eye's distance from the nearest plane of a shadow quad.
@@ -282,22 +150,6 @@ double casters_over_shadow(const Case& made) {
   return count;
 }
 
-double silhouette_edges(const Case& made) { return static_cast<double>(first_loop(made).size()); }
-
-double highest_degree(const Case& made) {
-  std::map<std::uint32_t, int> ends;
-  for (const auto& loop :
-       functional::find_silhouette(caster(made), made.scene.light.centre).loops) {
-    for (const auto& e : loop) {
-      ++ends[e.begin];
-      ++ends[e.end];
-    }
-  }
-  int highest = 0;
-  for (const auto& [vertex, degree] : ends) highest = std::max(highest, degree);
-  return highest;
-}
-
 // Of all corners of the silhouette from the pixel centres' rows and columns, 1/256 pixel.
 double corners_from_centres(const Case& made) {
   const functional::Window window =
@@ -314,40 +166,22 @@ double corners_from_centres(const Case& made) {
 
 }  // namespace
 
-Measure measure_of(std::string_view family) {
-  static const std::map<std::string_view, Measure> kMeasures{
-      {"grazing-edge", to_line_of_light},
-      {"edge-at-light", line_from_light},
-      {"collinear-edges", turn_at_corners},
-      {"acute-corner", corner_angle},
-      {"zigzag", to_line_of_light},
-      {"distance-ratio", ratio_of_distances},
-      {"short-edge", edge_length},
-      {"small-light", light_against_occluder},
-      {"large-light", light_against_occluder},
-      {"touching-light", gap_to_light},
+std::map<std::string_view, Measure> view_measures() {
+  return {
       {"contact", row_from_edge},
       {"on-quad-plane", steps_from_quads},
       {"near-far-unorm16", depth_ratio},
       {"near-far-unorm24", depth_ratio},
       {"near-far-float32", depth_ratio},
       {"near-far-reversed", depth_ratio},
-      {"offset", floor_from_origin},
-      {"scale-up", floor_scale},
-      {"scale-down", floor_scale},
       {"eye-in-wedge", eye_from_bound},
       {"eye-in-umbra", eye_from_bound},
       {"eye-on-plane", eye_from_quad},
       {"eye-at-light", eye_from_light},
       {"near-crossing", near_against_edges},
       {"overlap", casters_over_shadow},
-      {"many-edges", silhouette_edges},
-      {"many-edges-wide", silhouette_edges},
-      {"vertex-degree", highest_degree},
       {"pixel-on-edge", corners_from_centres},
   };
-  const auto found = kMeasures.find(family);
-  return found == kMeasures.end() ? nullptr : found->second;
 }
 
 }  // namespace wedgesim::reports::stress
