@@ -62,8 +62,10 @@ int run(const Arguments& arguments) {
     progress.show(fmt::format("{}: counting in {} configurations", info.name, configs.size()));
     results = model::count(trace.view(), configs, options);
   }
+  const auto flagged = model::flag_wedges(trace.view(), options.datapath);
   if (!arguments.json.empty()) {
-    reports::write_json(arguments.json, reports::count_json(info, results, options.datapath));
+    reports::write_json(arguments.json,
+                        reports::count_json(info, results, options.datapath, flagged));
   }
   std::string maps;
   if (options.maps) {
@@ -71,7 +73,7 @@ int run(const Arguments& arguments) {
         fmt::format("maps: {}\n", to_text(reports::write_maps(arguments.maps, trace.view(),
                                                               results.front(), options.datapath)));
   }
-  print(reports::count_text(info, results) + maps);
+  print(reports::count_text(info, results) + reports::flags_text(flagged) + maps);
   return reports::held(results) ? 0 : 1;
 }
 

@@ -141,6 +141,13 @@ std::string pixels_text(std::span<const CountResult> results) {
   return text;
 }
 
+std::string flags_text(std::span<const model::WedgeFlag> flagged) {
+  if (flagged.empty()) return {};
+  const model::WedgeFlag& worst = *std::ranges::max_element(flagged, {}, &model::WedgeFlag::value);
+  return fmt::format("{} wedges flagged: {} at worst, {:.2g} times farther than allowed: {}\n",
+                     grouped(flagged.size()), worst.wedge, worst.value, describe(worst.reason));
+}
+
 std::string worst_pixels_text(const model::PixelCheck& pixels) {
   if (pixels.worst.empty()) return {};
   Table table;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "model/count/count.h"
+#include "model/count/wedge_check.h"
 #include "reports/json.h"
 
 namespace wedgesim::reports {
@@ -18,6 +19,9 @@ std::string count_text(const TraceInfo& trace, std::span<const model::CountResul
 /// One line that sums up the comparison with the expected LI over all configurations; for each of
 /// those that failed, a line.
 std::string pixels_text(std::span<const model::CountResult> results);
+
+/// How many wedges are flagged, and why the worst is; nothing if none is.
+std::string flags_text(std::span<const model::WedgeFlag> flagged);
 
 /// The ten worst pixels of one configuration, as a table.
 std::string worst_pixels_text(const model::PixelCheck& pixels);

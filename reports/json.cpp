@@ -124,16 +124,21 @@ Json to_json(const std::vector<CountConfig>& configs, const model::Datapath& dat
 }
 
 Json count_json(const TraceInfo& trace, const std::vector<model::CountResult>& results,
-                const model::Datapath& datapath) {
+                const model::Datapath& datapath, std::span<const model::WedgeFlag> flagged) {
   std::vector<CountConfig> configs;
   Json entries = Json::array();
   for (const model::CountResult& result : results) {
     configs.push_back(result.config);
     entries.push_back(to_json(result, datapath));
   }
+  Json flags = Json::array();
+  for (const model::WedgeFlag& flag : flagged) {
+    flags.push_back({{"wedge", flag.wedge}, {"reason", name(flag.reason)}, {"value", flag.value}});
+  }
   return {{"schema", "wedgesim.count/1"},
           {"trace", to_json(trace)},
           {"configuration", to_json(configs, datapath)},
+          {"flagged", std::move(flags)},
           {"configs", std::move(entries)}};
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/count/count.h"
+#include "model/count/wedge_check.h"
 #include "traces/trace.h"
 
 namespace wedgesim::reports {
@@ -32,8 +33,9 @@ Json to_json(const model::CountResult& result, const model::Datapath& datapath);
 Json to_json(const std::vector<model::CountConfig>& configs, const model::Datapath& datapath);
 
 /// The result of `count`, schema wedgesim.count/1.
+/// \param flagged  model::flag_wedges of the trace
 Json count_json(const TraceInfo& trace, const std::vector<model::CountResult>& results,
-                const model::Datapath& datapath);
+                const model::Datapath& datapath, std::span<const model::WedgeFlag> flagged);
 
 /// Writes a file, whole or not at all.
 void write_json(const std::filesystem::path& path, const Json& json);

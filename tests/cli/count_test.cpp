@@ -51,7 +51,7 @@ TEST_F(Count, PrintsEveryCounterWithUnitAndDescription) {
 TEST_F(Count, JsonHasTheNamesOfItsSchema) {
   const Json result = json({"--mode", "three-pass,single-pass"});
   EXPECT_EQ(keys_of(result),
-            (std::set<std::string>{"schema", "trace", "configuration", "configs"}));
+            (std::set<std::string>{"schema", "trace", "configuration", "flagged", "configs"}));
   EXPECT_EQ(result["schema"], "wedgesim.count/1");
   EXPECT_EQ(keys_of(result["trace"]),
             (std::set<std::string>{"name", "checksum", "width", "height", "wedges"}));
@@ -182,9 +182,12 @@ TEST_F(Count, FormatsChangeTheWidths) {
     return result["configs"][0]["pixels"]["rms_error"].get<double>();
   };
   EXPECT_LT(rms("li_fraction_bits = 20\n"), 0.2 * rms("# the default\n"));
+  EXPECT_TRUE(json({"--datapath", "fixed"})["flagged"].empty());
   // Too few bits are a failed check, not bad input.
   write_text(file, "form_bits = 32\n");
-  EXPECT_EQ(count({"--datapath", "fixed", "--formats", file.string()}).code, 1);
+  const Outcome narrow = count({"--datapath", "fixed", "--formats", file.string()});
+  EXPECT_EQ(narrow.code, 1);
+  EXPECT_NE(narrow.out.find(" wedges flagged: "), std::string::npos);
 }
 
 TEST_F(Count, BadFormatsAreRefused) {

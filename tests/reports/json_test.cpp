@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "tests/base/temporary_folder.h"
 #include "tests/reports/results.h"
 
@@ -88,7 +90,9 @@ TEST(Json, AConfigurationHasEachValueOnce) {
 TEST(Json, CountHasItsSchema) {
   std::vector<model::CountResult> results;
   results.push_back(make_result({}, 5, 3));
-  const Json json = count_json({"x", 1, 3, 2, 7}, results, model::DatapathKind::exact);
+  const Json json = count_json({"x", 1, 3, 2, 7}, results, model::DatapathKind::exact,
+                               std::array{model::WedgeFlag{5, model::FlagReason::light, 3.0}});
+  EXPECT_EQ(json["flagged"].dump(), R"([{"wedge":5,"reason":"light","value":3.0}])");
   EXPECT_EQ(json["schema"], "wedgesim.count/1");
   EXPECT_EQ(json["configs"].size(), 1U);
   const TemporaryFolder folder;
