@@ -3,43 +3,79 @@
 #include <memory>
 #include <string>
 
+#include "base/error.h"
+#include "base/file.h"
+#include "base/image.h"
 #include "cli/command.h"
 #include "cli/parse.h"
 #include "cli/print.h"
 #include "cli/progress.h"
+#include "reports/stress/case_name.h"
+#include "reports/stress/frame.h"
+#include "reports/stress/replay.h"
 #include "reports/stress/run.h"
 #include "reports/stress/stress_json.h"
+#include "reports/stress/stress_picture.h"
 #include "reports/stress/stress_text.h"
+#include "traces/writer.h"
 
 namespace wedgesim::cli {
 namespace {
 
+namespace stress = reports::stress;
+
 struct Arguments {
-  std::string family, seeds = "3", json;
+  std::string family, seeds = "3", json, replay, out;
 };
 
+void refuse_with_replay(const char* option, bool given) {
+  if (given) throw InputError(option, "does not go with --replay", "one of the two");
+}
+
+int replay(const Arguments& arguments) {
+  refuse_with_replay("--family", !arguments.family.empty());
+  refuse_with_replay("--json", !arguments.json.empty());
+  const stress::CaseName name = stress::parse_case("--replay", arguments.replay);
+  const std::string png = arguments.out + ".png";
+  const std::string trace = arguments.out + ".wtrace";
+  if (!arguments.out.empty()) {
+    require_writable(png);
+    require_writable(trace);
+  }
+  const stress::Case made = name.make();
+  const stress::Measurement measurement = stress::measure(made);
+  if (!arguments.out.empty() && !measurement.refused) {
+    write_image(png, stress::picture_of(measurement, stress::kArithmetics,
+                                        stress::visible_scale(measurement)));
+    traces::write_trace(trace, stress::frame_of(made).trace);
+  }
+  print(stress::replay_text(name, measurement));
+  return stress::replay_holds(name, measurement) ? 0 : 1;
+}
+
 int run(const Arguments& arguments) {
-  reports::stress::RunOptions options;
+  if (!arguments.replay.empty()) return replay(arguments);
+  stress::RunOptions options;
   if (!arguments.family.empty()) {
     options.families = parse_set("--family", arguments.family,
                                  [](std::string_view name) { return std::string(name); });
   }
   options.seeds = static_cast<std::uint64_t>(parse_integer("--seeds", arguments.seeds, 1, 1000));
-  std::vector<reports::stress::FamilyResult> results;
+  std::vector<stress::FamilyResult> results;
   {
     Progress progress;
-    results = reports::stress::run(options, [&](std::string_view family) {
+    results = stress::run(options, [&](std::string_view family) {
       progress.show(fmt::format("stress: {}", family));
     });
   }
   if (!arguments.json.empty()) {
-    reports::write_json(arguments.json, reports::stress::stress_json(options, results));
+    reports::write_json(arguments.json, stress::stress_json(options, results));
   }
   std::string levels;
   if (!options.families.empty()) {
-    for (const auto& result : results) levels += reports::stress::levels_text(result) + "\n";
+    for (const auto& result : results) levels += stress::levels_text(result) + "\n";
   }
-  print(levels + reports::stress::stress_text(results));
+  print(levels + stress::stress_text(results));
   for (const auto& result : results) {
     if (!result.complaints().empty()) return 1;
   }
@@ -58,7 +94,15 @@ Command add_stress(CLI::App& program) {
       ->type_name("N")
       ->capture_default_str();
   app->add_option("--json", arguments->json, "Write the results as JSON, too")->type_name("FILE");
-  app->footer("Example:\n  wedgesim stress --family grazing-edge,offset");
+  app->add_option("--replay", arguments->replay, "Draw one case again: its errors, worst pixels")
+      ->type_name("FAMILY,SEED,DIFFICULTY");
+  app->add_option("-o,--output", arguments->out,
+                  "With --replay: write OUT.png, the case's pictures, and OUT.wtrace, its trace")
+      ->type_name("OUT");
+  app->footer(
+      "Examples:\n"
+      "  wedgesim stress --family grazing-edge,offset\n"
+      "  wedgesim stress --replay small-light,0,1e-8 -o small");
   return {app, [arguments] { return run(*arguments); }};
 }
 

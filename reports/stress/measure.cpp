@@ -8,9 +8,9 @@
 
 #include "base/error.h"
 #include "functional/reference/judge.h"
-#include "functional/scene/scene_check.h"
 #include "model/count/count.h"
 #include "reports/stress/evaluate.h"
+#include "reports/stress/frame.h"
 #include "traces/depth.h"
 
 namespace wedgesim::reports::stress {
@@ -20,39 +20,6 @@ using functional::Frame;
 
 constexpr double kQuiet = 1.0 / 255.0;
 constexpr std::size_t kJumps = 24;  // pixels at which LI's step across a plane is looked at
-
-model::Datapath datapath_of(Arithmetic arithmetic, const Case& stress_case) {
-  switch (arithmetic) {
-    case Arithmetic::fixed: {
-      model::Datapath datapath(model::DatapathKind::fixed);
-      datapath.formats = stress_case.formats;
-      return datapath;
-    }
-    case Arithmetic::float32:
-      return {model::DatapathKind::float32};
-    case Arithmetic::double_precision:
-    case Arithmetic::renderer:
-      break;
-  }
-  return {model::DatapathKind::exact};
-}
-
-model::ZMethod method_of(const Frame& frame) {
-  return frame.trace.header.expected_z_method == traces::fb::ZMethod_fail ? model::ZMethod::fail
-                                                                          : model::ZMethod::pass;
-}
-
-// LI as the display reads it: what the word holds.
-std::vector<double> li_of(const std::vector<std::int64_t>& sums, const model::Datapath& datapath) {
-  std::vector<double> li;
-  li.reserve(sums.size());
-  for (const std::int64_t sum : sums) {
-    const std::int64_t word =
-        datapath.kind == model::DatapathKind::fixed ? datapath.formats.li.wrap(sum) : sum;
-    li.push_back(static_cast<double>(word) / datapath.one());
-  }
-  return li;
-}
 
 // The judge's LI of the pixels of a frame that show a surface.
 class Judged {
@@ -71,6 +38,8 @@ class Judged {
   double li(std::size_t k) const { return li_[k]; }  // of pixels()[k]
   /// Exact where it was asked for, else the renderer's.
   double sensitivity(std::size_t k) const { return sensitivity_[pixels_[k]]; }
+
+  const std::vector<double>& sensitivities() const { return sensitivity_; }  // of the frame
 
   /// Makes the sensitivity of some pixels exact.
   /// \param wanted  positions in pixels()
@@ -143,9 +112,9 @@ class Measuring {
     result_.degenerate_wedges = frame_.geometry.degenerate_wedges;
     result_.judged = judged_.pixels().size();
     result_.condition = condition();
-    result_.judge.assign(frame_.trace.depth.size(), std::numeric_limits<float>::quiet_NaN());
+    result_.judge.assign(frame_.trace.depth.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t k = 0; k < judged_.pixels().size(); ++k) {
-      result_.judge[judged_.pixels()[k]] = static_cast<float>(judged_.li(k));
+      result_.judge[judged_.pixels()[k]] = judged_.li(k);
     }
     // The exact datapath first: it says where penumbrae are.
     evaluate_datapath(Arithmetic::double_precision);
@@ -160,13 +129,6 @@ class Measuring {
 
  private:
   static std::size_t index(Arithmetic arithmetic) { return static_cast<std::size_t>(arithmetic); }
-
-  static Frame frame_of(const Case& stress_case) {
-    functional::FrameOptions options = stress_case.options;
-    options.depth = stress_case.depth.get();
-    functional::check_scene(stress_case.scene, stress_case.scene.name);
-    return functional::make_frame(stress_case.scene, options);
-  }
 
   Judged timed_judge() {
     const auto start = std::chrono::steady_clock::now();
@@ -242,6 +204,7 @@ class Measuring {
       }
     }
     judged_.refine(wanted);
+    result_.sensitivities = judged_.sensitivities();
     for (const std::size_t k : wanted) {
       result_.sensitivity = std::max(result_.sensitivity, judged_.sensitivity(k));
     }
@@ -276,7 +239,7 @@ class Measuring {
     errors.rms = all.value();
     errors.rms_penumbra = penumbra.value();
     errors.specks = count_specks(half_off, result_.width, result_.height);
-    errors.li.assign(li.begin(), li.end());
+    errors.li = li;
     const bool wide = tolerance_of(arithmetic) > 1e-6;
     errors.holds = errors.beyond == 0 && errors.specks == 0 && errors.not_finite == 0 &&
                    (!wide || (errors.rms <= kLargestRms && errors.rms_penumbra <= kLargestRms));

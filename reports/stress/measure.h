@@ -47,7 +47,7 @@ struct Errors {
   std::uint64_t unflagged = 0;  // of `beyond`, pixels that belong to no wedge that is flagged
   std::uint64_t visits = 0;     // contributions evaluated, in
   double seconds = 0.0;         // of one thread
-  std::vector<float> li;        // (height, width), for pictures
+  std::vector<double> li;       // (height, width), for pictures
   bool holds = false;           // the bar
 };
 
@@ -69,8 +69,9 @@ struct Measurement {
   bool configurations_agree = true;
   std::array<Errors, kArithmetics.size()> errors;
   std::array<std::vector<Flagged>, kArithmetics.size()> flagged;
-  std::vector<float> judge;    // (height, width) LI; of the sky NaN
-  double judge_seconds = 0.0;  // a pixel and wedge at a time, one thread's share
+  std::vector<double> judge;          // (height, width) LI; of the sky NaN
+  std::vector<double> sensitivities;  // (height, width), the judge's where a pixel may be off
+  double judge_seconds = 0.0;         // a pixel and wedge at a time, one thread's share
 };
 
 /// Makes a case's frame and holds every arithmetic against the judge.

@@ -1,12 +1,11 @@
 #include "reports/stress/run.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 
-#include "base/error.h"
+#include "reports/stress/case_name.h"
 
 namespace wedgesim::reports::stress {
 namespace {
@@ -18,6 +17,7 @@ bool answered(const Family& family, const Measurement& measurement, Arithmetic a
 
 void drop_pictures(Measurement& measurement) {
   measurement.judge = {};
+  measurement.sensitivities = {};
   for (Errors& errors : measurement.errors) errors.li = {};
 }
 
@@ -97,9 +97,9 @@ std::vector<std::string> FamilyResult::complaints() const {
       const auto needed = static_cast<std::size_t>(position - family->levels.begin()) + 1;
       if (levels_held(arithmetic) < needed) {
         const auto reached = holds_to(arithmetic);
-        complaints.push_back(fmt::format("{} holds to {}, must hold to {:g}", name_of(arithmetic),
-                                         reached ? fmt::format("{:g}", *reached) : "nothing",
-                                         *must));
+        complaints.push_back(fmt::format("{} holds to {}, must hold to {}", name_of(arithmetic),
+                                         reached ? difficulty_text(*reached) : "nothing",
+                                         difficulty_text(*must)));
       }
     }
     std::uint64_t unflagged = 0;
@@ -122,16 +122,6 @@ std::vector<std::string> FamilyResult::complaints() const {
     }
   }
   return complaints;
-}
-
-const Family& find_family(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const Family& family : families()) {
-    if (family.name == name) return family;
-    names.push_back(family.name);
-  }
-  throw InputError(fmt::format("family {}", name), "there is none of this name",
-                   fmt::format("one of {}", fmt::join(names, ", ")));
 }
 
 std::vector<FamilyResult> run(const RunOptions& options,

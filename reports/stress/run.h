@@ -41,7 +41,4 @@ struct FamilyResult {
 std::vector<FamilyResult> run(const RunOptions& options,
                               const std::function<void(std::string_view)>& progress);
 
-/// \throws InputError naming all families
-const Family& find_family(std::string_view name);
-
 }  // namespace wedgesim::reports::stress

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 
+#include "reports/stress/case_name.h"
 #include "reports/table.h"
 
 namespace wedgesim::reports::stress {
 namespace {
 
 std::string level_text(const std::optional<double>& level) {
-  return level ? fmt::format("{:g}", *level) : "-";
+  return level ? difficulty_text(*level) : "-";
 }
 
 // The worst of a level's seeds.
@@ -53,7 +54,7 @@ std::string levels_text(const FamilyResult& result) {
       condition = std::max(condition, m.condition);
       refused += m.refused ? 1 : 0;
     }
-    std::vector<std::string> row{fmt::format("{:g}", result.family->levels[i]),
+    std::vector<std::string> row{difficulty_text(result.family->levels[i]),
                                  fmt::format("{:.1e}", condition), std::to_string(refused)};
     for (const Arithmetic a : kArithmetics) {
       row.push_back(fmt::format("{:.1e}", worst(seeds, a, &Errors::max_error)));
@@ -84,7 +85,7 @@ std::string stress_text(const std::vector<FamilyResult>& results) {
   std::string complaints;
   for (const FamilyResult& result : results) {
     std::vector<std::string> row{std::string(result.family->name),
-                                 fmt::format("{:g}", result.family->levels.front()),
+                                 difficulty_text(result.family->levels.front()),
                                  level_text(result.required(Arithmetic::fixed)),
                                  level_text(result.required(Arithmetic::double_precision))};
     for (const Arithmetic a : kArithmetics) row.push_back(level_text(result.holds_to(a)));

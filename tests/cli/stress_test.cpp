@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/image.h"
+#include "tests/cli/command.h"
+
+namespace wedgesim::cli {
+namespace {
+
+struct Stress : testing::Test {
+  TemporaryFolder folder;
+  std::string file(const std::string& name) const { return (folder / name).string(); }
+};
+
+Outcome stress(std::vector<std::string> options) {
+  options.insert(options.begin(), "stress");
+  return run_command(options);
+}
+
+bool has(const Outcome& outcome, const std::string& words) {
+  return outcome.out.find(words) != std::string::npos;
+}
+
+TEST_F(Stress, ReplayWritesPictureAndTrace) {
+  const Outcome good = stress({"--replay", "frame-size,0,2", "-o", file("small")});
+  expect_good(good);
+  EXPECT_TRUE(has(good, "frame-size, seed 0, difficulty 2")) << good.out;
+  EXPECT_TRUE(has(good, "5x3 pixels")) << good.out;
+  const Image image = read_image(file("small.png"));
+  EXPECT_EQ(image.width, 3 * 5 * 51 + 2 * 4);  // three panels, pixels of 51 by 51, two gaps
+  EXPECT_EQ(image.height, 4 * 3 * 51 + 3 * 4);
+  expect_good(run_command({"count", file("small.wtrace"), "--tile", "4"}));
+}
+
+TEST_F(Stress, ReplayShowsWhatIsWrong) {
+  // Far from what single precision can hold.
+  const Outcome bad = stress({"--replay", "distance-ratio,1,1e8"});
+  EXPECT_TRUE(has(bad, "beyond the bar")) << bad.out;
+  EXPECT_TRUE(has(bad, "worst pixels")) << bad.out;
+}
+
+TEST_F(Stress, BadCasesAreRefused) {
+  const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> bad{
+      {{"--replay", "offset"}, {"--replay", "'offset'", "FAMILY,SEED,DIFFICULTY"}},
+      {{"--replay", "offset,0,1,2"}, {"--replay", "FAMILY,SEED,DIFFICULTY"}},
+      {{"--replay", "nothing,0,1"}, {"'nothing'", "grazing-edge, "}},
+      {{"--replay", "offset,-1,1"}, {"--replay", "'-1'", "a whole number"}},
+      {{"--replay", "small-light,0,7"}, {"--replay", "'7'", "a number from 0 to 1"}},
+      {{"--replay", "small-light,0,nan"}, {"--replay", "'nan'"}},
+      {{"--replay", "small-light,0,1", "--family", "offset"}, {"--family", "--replay"}},
+      {{"--replay", "small-light,0,1", "--json", file("x")}, {"--json", "--replay"}},
+      {{"--replay", "small-light,0,1", "-o", "/proc/x"}, {"/proc/x"}},
+      {{"--family", "nothing"}, {"'nothing'"}},
+      {{"--family", "offset,offset"}, {"--family", "twice"}},
+      {{"--seeds", "0"}, {"--seeds", "'0'"}},
+  };
+  for (const auto& [options, words] : bad) {
+    expect_bad_input(stress(options), words);
+    EXPECT_EQ(folder.entries(), 0U) << options.back();
+  }
+}
+
+}  // namespace
+}  // namespace wedgesim::cli
