@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/error.h"
@@ -14,6 +15,7 @@
 #include "reports/stress/frame.h"
 #include "reports/stress/replay.h"
 #include "reports/stress/run.h"
+#include "reports/stress/shrink.h"
 #include "reports/stress/stress_json.h"
 #include "reports/stress/stress_picture.h"
 #include "reports/stress/stress_text.h"
@@ -25,17 +27,38 @@ namespace {
 namespace stress = reports::stress;
 
 struct Arguments {
-  std::string family, seeds = "3", json, replay, out;
+  std::string family, seeds = "3", json, replay, out, arithmetic;
+  bool shrink = false;
 };
+
+stress::Arithmetic parse_arithmetic(std::string_view text) {
+  std::vector<std::pair<std::string_view, stress::Arithmetic>> choices;
+  for (const stress::Arithmetic a : stress::kArithmetics) choices.emplace_back(name_of(a), a);
+  return parse_choice<stress::Arithmetic>("--arithmetic", text, choices);
+}
 
 void refuse_with_replay(const char* option, bool given) {
   if (given) throw InputError(option, "does not go with --replay", "one of the two");
+}
+
+// Of the arithmetic that is asked for, or of the first that is beyond its bar.
+std::string shrink(const Arguments& arguments, const stress::Case& made,
+                   const stress::Measurement& measurement) {
+  std::optional<stress::Arithmetic> arithmetic = stress::first_beyond(measurement);
+  if (!arguments.arithmetic.empty()) {
+    arithmetic = parse_arithmetic(arguments.arithmetic);
+  }
+  std::optional<stress::Shrunk> shrunk;
+  if (arithmetic) shrunk = stress::shrink(made, measurement, *arithmetic);
+  if (!shrunk) return "\nnothing to shrink: no pixel is beyond the bar\n";
+  return "\n" + stress::shrunk_text(*shrunk);
 }
 
 int replay(const Arguments& arguments) {
   refuse_with_replay("--family", !arguments.family.empty());
   refuse_with_replay("--json", !arguments.json.empty());
   const stress::CaseName name = stress::parse_case("--replay", arguments.replay);
+  if (!arguments.arithmetic.empty()) parse_arithmetic(arguments.arithmetic);
   const std::string png = arguments.out + ".png";
   const std::string trace = arguments.out + ".wtrace";
   if (!arguments.out.empty()) {
@@ -49,12 +72,18 @@ int replay(const Arguments& arguments) {
                                         stress::visible_scale(measurement)));
     traces::write_trace(trace, stress::frame_of(made).trace);
   }
-  print(stress::replay_text(name, measurement));
+  std::string text = stress::replay_text(name, measurement);
+  if (arguments.shrink && !measurement.refused) text += shrink(arguments, made, measurement);
+  print(text);
   return stress::replay_holds(name, measurement) ? 0 : 1;
 }
 
 int run(const Arguments& arguments) {
   if (!arguments.replay.empty()) return replay(arguments);
+  if (arguments.shrink) throw InputError("--shrink", "has nothing to shrink", "--replay, too");
+  if (!arguments.arithmetic.empty()) {
+    throw InputError("--arithmetic", "goes with --shrink alone", "--replay and --shrink, too");
+  }
   stress::RunOptions options;
   if (!arguments.family.empty()) {
     options.families = parse_set("--family", arguments.family,
@@ -96,13 +125,19 @@ Command add_stress(CLI::App& program) {
   app->add_option("--json", arguments->json, "Write the results as JSON, too")->type_name("FILE");
   app->add_option("--replay", arguments->replay, "Draw one case again: its errors, worst pixels")
       ->type_name("FAMILY,SEED,DIFFICULTY");
+  app->add_flag("--shrink", arguments->shrink,
+                "With --replay: the fewest edges that alone show the failure");
+  app->add_option("--arithmetic", arguments->arithmetic,
+                  "With --shrink: fixed, float32, double or renderer; else the first that fails")
+      ->type_name("NAME");
   app->add_option("-o,--output", arguments->out,
                   "With --replay: write OUT.png, the case's pictures, and OUT.wtrace, its trace")
       ->type_name("OUT");
   app->footer(
       "Examples:\n"
       "  wedgesim stress --family grazing-edge,offset\n"
-      "  wedgesim stress --replay small-light,0,1e-8 -o small");
+      "  wedgesim stress --replay small-light,0,1e-8 -o small\n"
+      "  wedgesim stress --replay distance-ratio,1,1e6 --shrink --arithmetic double");
   return {app, [arguments] { return run(*arguments); }};
 }
 

@@ -40,6 +40,20 @@ TEST_F(Stress, ReplayShowsWhatIsWrong) {
   EXPECT_TRUE(has(bad, "worst pixels")) << bad.out;
 }
 
+TEST_F(Stress, ShrinkNamesTheEdges) {
+  const std::vector<std::string> options{"--replay", "distance-ratio,1,1e8", "--shrink",
+                                         "--arithmetic"};
+  const auto shrink = [&](const std::string& arithmetic) {
+    std::vector<std::string> all = options;
+    all.push_back(arithmetic);
+    return stress(all);
+  };
+  const Outcome bad = shrink("float32");
+  EXPECT_TRUE(has(bad, " edges and polygons alone pass the bar")) << bad.out;
+  EXPECT_TRUE(has(bad, ") to (")) << bad.out;
+  EXPECT_TRUE(has(shrink("renderer"), "nothing to shrink"));
+}
+
 TEST_F(Stress, BadCasesAreRefused) {
   const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> bad{
       {{"--replay", "offset"}, {"--replay", "'offset'", "FAMILY,SEED,DIFFICULTY"}},
@@ -51,6 +65,10 @@ TEST_F(Stress, BadCasesAreRefused) {
       {{"--replay", "small-light,0,1", "--family", "offset"}, {"--family", "--replay"}},
       {{"--replay", "small-light,0,1", "--json", file("x")}, {"--json", "--replay"}},
       {{"--replay", "small-light,0,1", "-o", "/proc/x"}, {"/proc/x"}},
+      {{"--replay", "small-light,0,1", "--shrink", "--arithmetic", "int"},
+       {"--arithmetic", "'int'", "fixed, float32, double, renderer"}},
+      {{"--shrink"}, {"--shrink", "--replay"}},
+      {{"--arithmetic", "fixed"}, {"--arithmetic", "--shrink"}},
       {{"--family", "nothing"}, {"'nothing'"}},
       {{"--family", "offset,offset"}, {"--family", "twice"}},
       {{"--seeds", "0"}, {"--seeds", "'0'"}},
