@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@
 #include "reports/stress/run.h"
 #include "reports/stress/shrink.h"
 #include "reports/stress/stress_json.h"
+#include "reports/stress/stress_page.h"
 #include "reports/stress/stress_picture.h"
 #include "reports/stress/stress_text.h"
 #include "traces/writer.h"
@@ -90,6 +92,10 @@ int run(const Arguments& arguments) {
                                  [](std::string_view name) { return std::string(name); });
   }
   options.seeds = static_cast<std::uint64_t>(parse_integer("--seeds", arguments.seeds, 1, 1000));
+  if (!arguments.out.empty()) {
+    require_writable(std::filesystem::path(arguments.out) / "stress.html");
+  }
+  if (!arguments.json.empty()) require_writable(arguments.json);
   std::vector<stress::FamilyResult> results;
   {
     Progress progress;
@@ -104,6 +110,7 @@ int run(const Arguments& arguments) {
   if (!options.families.empty()) {
     for (const auto& result : results) levels += stress::levels_text(result) + "\n";
   }
+  if (!arguments.out.empty()) stress::write_stress(arguments.out, options, results);
   print(levels + stress::stress_text(results));
   for (const auto& result : results) {
     if (!result.complaints().empty()) return 1;
@@ -131,10 +138,12 @@ Command add_stress(CLI::App& program) {
                   "With --shrink: fixed, float32, double or renderer; else the first that fails")
       ->type_name("NAME");
   app->add_option("-o,--output", arguments->out,
-                  "With --replay: write OUT.png, the case's pictures, and OUT.wtrace, its trace")
+                  "A folder for stress.html, stress.json and pictures of first failures; with "
+                  "--replay OUT.png, the case's pictures, and OUT.wtrace, its trace")
       ->type_name("OUT");
   app->footer(
       "Examples:\n"
+      "  wedgesim stress -o out/stress\n"
       "  wedgesim stress --family grazing-edge,offset\n"
       "  wedgesim stress --replay small-light,0,1e-8 -o small\n"
       "  wedgesim stress --replay distance-ratio,1,1e6 --shrink --arithmetic double");

@@ -14,6 +14,8 @@
 WEDGESIM_ASSET(html, "page.html")
 WEDGESIM_ASSET(css, "page.css")
 WEDGESIM_ASSET(script, "page.js")
+WEDGESIM_ASSET(stress_html, "stress.html")
+WEDGESIM_ASSET(stress_script, "stress.js")
 WEDGESIM_ASSET(vega, "vega.min.js")
 WEDGESIM_ASSET(vega_lite, "vega-lite.min.js")
 WEDGESIM_ASSET(vega_embed, "vega-embed.min.js")

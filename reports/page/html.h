@@ -17,6 +17,9 @@ std::string element(std::string_view tag, std::string_view text);
 /// JSON that a script element may hold: no "<" in it.
 std::string script_json(const Json& json);
 
+/// Bytes as a data URI holds them.
+std::string base64(std::string_view bytes);
+
 /// A template with each {{name}} replaced; values are put in as they are, and only once.
 /// \throws CheckError for a name without a value
 std::string fill(std::string_view text,

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "reports/page/html.h"
 #include "reports/page/names.h"
 #include "reports/runner/value.h"
 
@@ -144,22 +145,6 @@ Json chart_json(const Chart& chart) {
           {"measures", std::move(measures)},
           {"held", std::move(held)},
           {"spec", chart.spec}};
-}
-
-std::string base64(std::string_view bytes) {
-  static constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      word = word << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k > bytes.size() ? '=' : kDigits[word >> (18 - 6 * k) & 63];
-    }
-  }
-  return text;
 }
 
 // Equal pictures are stored once.

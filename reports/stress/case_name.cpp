@@ -4,10 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <vector>
 
+#include "base/check.h"
 #include "base/error.h"
 
 namespace wedgesim::reports::stress {
@@ -74,14 +77,17 @@ std::string to_text(const CaseName& name) {
 }
 
 std::string difficulty_text(double difficulty) {
-  std::string text = fmt::format("{:g}", difficulty);
-  if (number_of<double>(text) != difficulty) text = fmt::format("{}", difficulty);
-  const std::size_t exponent = text.find('e');
-  if (exponent == std::string::npos) return text;
-  std::size_t digits = exponent + 1;
-  if (text[digits] == '-') ++digits;
-  if (text[digits] == '+') text.erase(digits, 1);
-  while (text[digits] == '0') text.erase(digits, 1);
+  const double size = std::fabs(difficulty);
+  if (size == 0.0 || (size >= 1e-3 && size < 1e4)) return fmt::format("{}", difficulty);
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), difficulty,
+                                          std::chars_format::scientific);
+  WEDGESIM_CHECK(error == std::errc{});
+  std::string text(digits.data(), end);
+  const std::size_t exponent = text.find('e') + 1;
+  if (text[exponent] == '+') text.erase(exponent, 1);
+  const std::size_t zero = text.find_first_not_of('-', exponent);
+  if (text[zero] == '0') text.erase(zero, 1);
   return text;
 }
 

@@ -1,7 +1,8 @@
 #include "reports/stress/stress_json.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "reports/stress/levels.h"
 
 namespace wedgesim::reports::stress {
 namespace {
@@ -28,28 +29,7 @@ Json ranges_of(const std::vector<Flagged>& flagged) {
 
 // The worst of a level's seeds.
 Json errors_json(const std::vector<Measurement>& seeds, Arithmetic arithmetic) {
-  Errors worst;
-  worst.holds = true;
-  for (const Measurement& m : seeds) {
-    if (m.refused) continue;
-    const Errors& e = m.errors[index(arithmetic)];
-    worst.max_error = std::max(worst.max_error, e.max_error);
-    worst.max_excess = std::max(worst.max_excess, e.max_excess);
-    worst.rms = std::max(worst.rms, e.rms);
-    worst.rms_penumbra = std::max(worst.rms_penumbra, e.rms_penumbra);
-    worst.jump = std::max(worst.jump, e.jump);
-    worst.off += e.off;
-    worst.beyond += e.beyond;
-    worst.specks += e.specks;
-    worst.leaks += e.leaks;
-    worst.signs += e.signs;
-    worst.wrong_signs += e.wrong_signs;
-    worst.not_finite += e.not_finite;
-    worst.saturated += e.saturated;
-    worst.overflowed += e.overflowed;
-    worst.unflagged += e.unflagged;
-    worst.holds = worst.holds && e.holds;
-  }
+  const Errors worst = worst_of(seeds, arithmetic);
   return {{"max_error", worst.max_error},
           {"max_excess", worst.max_excess},
           {"rms_error", worst.rms},
@@ -71,7 +51,7 @@ Json errors_json(const std::vector<Measurement>& seeds, Arithmetic arithmetic) {
 Json levels_json(const FamilyResult& result) {
   Json levels = Json::array();
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
-    double condition = 1.0;
+    const double condition = condition_of(result.levels[i]);
     std::size_t wedges = 0;
     std::size_t degenerate = 0;
     std::size_t judged = 0;
@@ -82,7 +62,6 @@ Json levels_json(const FamilyResult& result) {
         refused.push_back({{"seed", seed}, {"why", *m.refused}});
         continue;
       }
-      condition = std::max(condition, m.condition);
       wedges += m.wedges;
       degenerate += m.degenerate_wedges;
       judged += m.judged;
@@ -124,16 +103,7 @@ Json timing_of(const FamilyResult& result) {
   Json timing = Json::object();
   for (const Arithmetic a :
        {Arithmetic::fixed, Arithmetic::float32, Arithmetic::double_precision}) {
-    double seconds = 0.0;
-    std::uint64_t visits = 0;
-    for (const auto& level : result.levels) {
-      for (const Measurement& m : level) {
-        seconds += m.errors[index(a)].seconds;
-        visits += m.errors[index(a)].visits;
-      }
-    }
-    timing[std::string(name_of(a))] =
-        visits == 0 ? Json(nullptr) : Json(1e9 * seconds / static_cast<double>(visits));
+    timing[std::string(name_of(a))] = number(nanoseconds_of(result, a));
   }
   return timing;
 }

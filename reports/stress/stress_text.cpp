@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "reports/stress/case_name.h"
+#include "reports/stress/levels.h"
 #include "reports/table.h"
 
 namespace wedgesim::reports::stress {
@@ -12,22 +11,6 @@ namespace {
 
 std::string level_text(const std::optional<double>& level) {
   return level ? difficulty_text(*level) : "-";
-}
-
-// The worst of a level's seeds.
-double worst(const std::vector<Measurement>& seeds, Arithmetic arithmetic, double Errors::*what) {
-  double most = 0.0;
-  for (const Measurement& m : seeds) {
-    most = std::max(most, m.errors[static_cast<std::size_t>(arithmetic)].*what);
-  }
-  return most;
-}
-
-std::uint64_t sum(const std::vector<Measurement>& seeds, Arithmetic arithmetic,
-                  std::uint64_t Errors::*what) {
-  std::uint64_t total = 0;
-  for (const Measurement& m : seeds) total += m.errors[static_cast<std::size_t>(arithmetic)].*what;
-  return total;
 }
 
 }  // namespace
@@ -48,20 +31,18 @@ std::string levels_text(const FamilyResult& result) {
   }
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
     const auto& seeds = result.levels[i];
-    double condition = 1.0;
     std::size_t refused = 0;
-    for (const Measurement& m : seeds) {
-      condition = std::max(condition, m.condition);
-      refused += m.refused ? 1 : 0;
-    }
+    for (const Measurement& m : seeds) refused += m.refused ? 1 : 0;
     std::vector<std::string> row{difficulty_text(result.family->levels[i]),
-                                 fmt::format("{:.1e}", condition), std::to_string(refused)};
+                                 fmt::format("{:.1e}", condition_of(seeds)),
+                                 std::to_string(refused)};
     for (const Arithmetic a : kArithmetics) {
-      row.push_back(fmt::format("{:.1e}", worst(seeds, a, &Errors::max_error)));
-      row.push_back(fmt::format("{:.1e}", worst(seeds, a, &Errors::max_excess)));
-      row.push_back(fmt::format("{:.1e}", worst(seeds, a, &Errors::rms)));
-      row.push_back(std::to_string(sum(seeds, a, &Errors::beyond)));
-      row.push_back(std::to_string(sum(seeds, a, &Errors::specks)));
+      const Errors worst = worst_of(seeds, a);
+      row.push_back(fmt::format("{:.1e}", worst.max_error));
+      row.push_back(fmt::format("{:.1e}", worst.max_excess));
+      row.push_back(fmt::format("{:.1e}", worst.rms));
+      row.push_back(std::to_string(worst.beyond));
+      row.push_back(std::to_string(worst.specks));
     }
     table.add_row(std::move(row));
   }

@@ -1,8 +1,6 @@
 // Charts: rows for Vega-Lite from the columns, under the selection. A chart does not drop what its
 // own x and series tell apart; it draws the rest fainter.
 
-const views = [];
-
 function ownKeys(chart) {
   return [chart.x, chart.series].filter((key) => key !== null);
 }
@@ -35,22 +33,6 @@ function heldText(chart, isEmpty) {
     return `${columns.get(key).label} ${values.map(textOf).join(" or ")}`;
   });
   return parts.length > 0 ? `With ${parts.join(", ")}.` : "";
-}
-
-const symbols = [
-  "M6 1a5 5 0 1 0 .01 0z", "M1.5 1.5h9v9h-9z", "M6 0l5 6-5 6-5-6z", "M6 1l5.5 10h-11z",
-  "M6 11L.5 1h11z", "M4 0h4v4h4v4H8v4H4V8H0V4h4z", "M1 6l10-5.5v11z", "M11 6L1 .5v11z",
-];
-
-function symbol(i, kind) {
-  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  svg.setAttribute("viewBox", "0 0 12 12");
-  svg.setAttribute("aria-hidden", "true");
-  const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-  path.setAttribute("d", symbols[kind === "squares" ? 1 : i % symbols.length]);
-  path.setAttribute("fill", `var(--series-${i % 8})`);
-  svg.append(path);
-  return svg;
 }
 
 // The legend: a button a series. Series of settings are chosen for the whole page, others here.

@@ -1,9 +1,6 @@
-"use strict";
+// What the reader has chosen: values of settings and scenes that the charts, the heat maps and the
+// table follow.
 
-// The data of the page, and what the reader has chosen: values of settings and scenes that the
-// charts, the heat maps and the table follow.
-
-const data = JSON.parse(document.getElementById("data").textContent);
 const columns = new Map(data.columns.map((column) => [column.key, column]));
 
 function valueAt(key, point) {
@@ -14,27 +11,6 @@ function valueAt(key, point) {
 
 function isDone(point) {
   return valueAt("state", point) === "done";
-}
-
-const longNumber = new Intl.NumberFormat("en", { maximumFractionDigits: 0 });
-const shortNumber = new Intl.NumberFormat("en", { maximumSignificantDigits: 4 });
-
-// Thousands separated, except for what names a thing: a tile, a year of bits.
-function textOf(value) {
-  if (value === null || value === undefined) return "";
-  if (typeof value !== "number") return String(value);
-  if (value !== 0 && Math.abs(value) < 1e-4) return value.toExponential(2);
-  return (Math.abs(value) >= 1000 ? longNumber : shortNumber).format(value);
-}
-
-function make(tag, attributes = {}, ...children) {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
-    else if (value !== null) element.setAttribute(name, value);
-  }
-  element.append(...children);
-  return element;
 }
 
 const selection = {

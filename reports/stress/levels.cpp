@@ -1,0 +1,55 @@
+#include "reports/stress/levels.h"
+
+#include <algorithm>
+
+namespace wedgesim::reports::stress {
+
+Errors worst_of(const std::vector<Measurement>& seeds, Arithmetic arithmetic) {
+  Errors worst;
+  worst.holds = true;
+  for (const Measurement& m : seeds) {
+    if (m.refused) continue;
+    const Errors& e = m.errors[static_cast<std::size_t>(arithmetic)];
+    worst.max_error = std::max(worst.max_error, e.max_error);
+    worst.max_excess = std::max(worst.max_excess, e.max_excess);
+    worst.rms = std::max(worst.rms, e.rms);
+    worst.rms_penumbra = std::max(worst.rms_penumbra, e.rms_penumbra);
+    worst.jump = std::max(worst.jump, e.jump);
+    worst.off += e.off;
+    worst.beyond += e.beyond;
+    worst.specks += e.specks;
+    worst.leaks += e.leaks;
+    worst.signs += e.signs;
+    worst.wrong_signs += e.wrong_signs;
+    worst.not_finite += e.not_finite;
+    worst.saturated += e.saturated;
+    worst.overflowed += e.overflowed;
+    worst.unflagged += e.unflagged;
+    worst.visits += e.visits;
+    worst.seconds += e.seconds;
+    worst.holds = worst.holds && e.holds;
+  }
+  return worst;
+}
+
+double condition_of(const std::vector<Measurement>& seeds) {
+  double condition = 1.0;
+  for (const Measurement& m : seeds) condition = std::max(condition, m.condition);
+  return condition;
+}
+
+std::optional<double> nanoseconds_of(const FamilyResult& result, Arithmetic arithmetic) {
+  std::vector<double> times;
+  for (const auto& level : result.levels) {
+    for (const Measurement& m : level) {
+      const Errors& e = m.errors[static_cast<std::size_t>(arithmetic)];
+      if (e.visits > 0) times.push_back(1e9 * e.seconds / static_cast<double>(e.visits));
+    }
+  }
+  if (times.empty()) return {};
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::ranges::nth_element(times, middle);
+  return *middle;
+}
+
+}  // namespace wedgesim::reports::stress
