@@ -81,11 +81,11 @@ int replay(const Arguments& arguments) {
 }
 
 int run(const Arguments& arguments) {
-  if (!arguments.replay.empty()) return replay(arguments);
-  if (arguments.shrink) throw InputError("--shrink", "has nothing to shrink", "--replay, too");
-  if (!arguments.arithmetic.empty()) {
+  if (!arguments.arithmetic.empty() && !arguments.shrink) {
     throw InputError("--arithmetic", "goes with --shrink alone", "--replay and --shrink, too");
   }
+  if (!arguments.replay.empty()) return replay(arguments);
+  if (arguments.shrink) throw InputError("--shrink", "has nothing to shrink", "--replay, too");
   stress::RunOptions options;
   if (!arguments.family.empty()) {
     options.families = parse_set("--family", arguments.family,
@@ -99,9 +99,10 @@ int run(const Arguments& arguments) {
   std::vector<stress::FamilyResult> results;
   {
     Progress progress;
-    results = stress::run(options, [&](std::string_view family) {
-      progress.show(fmt::format("stress: {}", family));
-    });
+    results = stress::run(
+        options, [&progress](const stress::Family& family, std::size_t place, std::size_t count) {
+          progress.show(fmt::format("stress: {} ({} of {})", family.name, place + 1, count));
+        });
   }
   if (!arguments.json.empty()) {
     reports::write_json(arguments.json, stress::stress_json(options, results));
@@ -145,7 +146,7 @@ Command add_stress(CLI::App& program) {
       "Examples:\n"
       "  wedgesim stress -o out/stress\n"
       "  wedgesim stress --family grazing-edge,offset\n"
-      "  wedgesim stress --replay small-light,0,1e-8 -o small\n"
+      "  wedgesim stress --replay small-light,1,1e-8 -o small\n"
       "  wedgesim stress --replay distance-ratio,1,1e6 --shrink --arithmetic double");
   return {app, [arguments] { return run(*arguments); }};
 }

@@ -124,8 +124,7 @@ std::vector<std::string> FamilyResult::complaints() const {
   return complaints;
 }
 
-std::vector<FamilyResult> run(const RunOptions& options,
-                              const std::function<void(std::string_view)>& progress) {
+std::vector<FamilyResult> run(const RunOptions& options, const Progress& progress) {
   std::vector<const Family*> chosen;
   for (const std::string& name : options.families) chosen.push_back(&find_family(name));
   if (chosen.empty()) {
@@ -133,7 +132,7 @@ std::vector<FamilyResult> run(const RunOptions& options,
   }
   std::vector<FamilyResult> results;
   for (const Family* family : chosen) {
-    progress(family->name);
+    progress(*family, results.size(), chosen.size());
     results.push_back(measure_family(*family, options.seeds));
     keep_first_failures(results.back());
   }

@@ -34,11 +34,12 @@ struct FamilyResult {
   std::vector<std::string> complaints() const;
 };
 
+using Progress = std::function<void(const Family& family, std::size_t place, std::size_t count)>;
+
 /// Measures families at all levels and seeds, many cases at a time; the result does not depend on
 /// how many.
-/// \param progress  told the name of each family that is done
-/// \throws InputError naming a family that is not there
-std::vector<FamilyResult> run(const RunOptions& options,
-                              const std::function<void(std::string_view)>& progress);
+/// \param progress  told each family before it is measured, its place from 0, and how many there
+/// are \throws InputError naming a family that is not there
+std::vector<FamilyResult> run(const RunOptions& options, const Progress& progress);
 
 }  // namespace wedgesim::reports::stress

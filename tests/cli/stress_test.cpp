@@ -54,6 +54,25 @@ TEST_F(Stress, ShrinkNamesTheEdges) {
   EXPECT_TRUE(has(shrink("renderer"), "nothing to shrink"));
 }
 
+TEST_F(Stress, WritesAPageAndJson) {
+  const Outcome good = stress({"--family", "frame-size", "--seeds", "2", "-o", file("out")});
+  expect_good(good);
+  EXPECT_TRUE(has(good, "1 of 1 families are as they must be")) << good.out;
+  const std::string page = read_text(folder / "out/stress.html");
+  EXPECT_NE(page.find("<h3 id=\"family-frame-size-heading\">frame-size</h3>"), std::string::npos);
+  const auto json = nlohmann::json::parse(read_text(folder / "out/stress.json"));
+  EXPECT_EQ(json["schema"], "wedgesim.stress/1");
+  EXPECT_EQ(json["configuration"]["seeds"], 2);
+  EXPECT_EQ(json["families"][0]["name"], "frame-size");
+  EXPECT_EQ(json["families"][0]["holds_to"]["fixed"], json["families"][0]["required"]["fixed"]);
+}
+
+TEST_F(Stress, SaysWhatItIsAtOnATerminal) {
+  const Outcome outcome = run_on_terminal({"stress", "--family", "frame-size", "--seeds", "1"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("frame-size (1 of 1)"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Stress, BadCasesAreRefused) {
   const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> bad{
       {{"--replay", "offset"}, {"--replay", "'offset'", "FAMILY,SEED,DIFFICULTY"}},
@@ -67,8 +86,11 @@ TEST_F(Stress, BadCasesAreRefused) {
       {{"--replay", "small-light,0,1", "-o", "/proc/x"}, {"/proc/x"}},
       {{"--replay", "small-light,0,1", "--shrink", "--arithmetic", "int"},
        {"--arithmetic", "'int'", "fixed, float32, double, renderer"}},
+      {{"--replay", "small-light,0,1", "--arithmetic", "fixed"}, {"--arithmetic", "--shrink"}},
       {{"--shrink"}, {"--shrink", "--replay"}},
       {{"--arithmetic", "fixed"}, {"--arithmetic", "--shrink"}},
+      {{"--family", "frame-size", "-o", "/proc/x"}, {"/proc/x"}},
+      {{"--family", "frame-size", "--json", "/proc/x"}, {"/proc/x"}},
       {{"--family", "nothing"}, {"'nothing'"}},
       {{"--family", "offset,offset"}, {"--family", "twice"}},
       {{"--seeds", "0"}, {"--seeds", "'0'"}},
