@@ -31,7 +31,7 @@ async function open(name, options = {}) {
 
 const tests = {
   async "every chart has marks, words and a description, and nothing is said on the console"() {
-    for (const name of ["sample", "sample-time", "sample-precision", "paper2/report"]) {
+    for (const name of ["sample", "sample-time", "sample-precision", "paper2/report", "stress/stress"]) {
       const page = await open(name);
       const charts = await page.$$eval("figure.chart", (figures) => figures.map((figure) => ({
         id: figure.id,
@@ -50,8 +50,8 @@ const tests = {
   },
 
   async "labels lie within their chart and do not cover each other"() {
-    for (const width of [1280, 390]) {
-      const page = await open("sample-time", { viewport: { width, height: 900 } });
+    for (const [name, width] of [["sample-time", 1280], ["sample-time", 390], ["stress/stress", 1280], ["stress/stress", 390]]) {
+      const page = await open(name, { viewport: { width, height: 900 } });
       const faults = await page.evaluate(() => {
         const found = [];
         if (document.documentElement.scrollWidth > innerWidth) found.push("the page scrolls sideways");
@@ -73,7 +73,7 @@ const tests = {
         }
         return found;
       });
-      assert.deepEqual(faults, [], `at ${width} pixels`);
+      assert.deepEqual(faults, [], `${name} at ${width} pixels`);
     }
   },
 
@@ -199,6 +199,28 @@ const tests = {
     assert.match(await page.textContent("#table td.details"), /note<\/script>/);
   },
 
+  async "the page of stress: one legend for all charts, pictures, links, words as text"() {
+    const page = await open("stress/stress");
+    const faint = () => page.$$eval("#chart-brittle-excess .mark-symbol path", (paths) =>
+      paths.filter((mark) => Number(mark.getAttribute("opacity")) < 0.5).length);
+    assert.equal(await faint(), 0);
+    await page.locator("#legend button", { hasText: "float32" }).click();
+    assert.equal(await page.getAttribute("#legend button:nth-child(2)", "aria-pressed"), "true");
+    await page.waitForFunction(() => [...document.querySelectorAll("#chart-brittle-excess .mark-symbol path")]
+      .filter((mark) => Number(mark.getAttribute("opacity")) < 0.5).length === 9);
+    await page.locator("#legend button", { hasText: "float32" }).click();
+    const pictures = await page.$$eval(".broken img", (images) => Promise.all(images.map(async (image) => {
+      await image.decode();
+      return [image.naturalWidth === Number(image.getAttribute("width")), image.alt];
+    })));
+    assert.deepEqual(pictures, ["float32", "double"].map((name) => [true, `Judge, ${name} and their difference.`]));
+    await page.locator("#bounds a", { hasText: "brittle" }).click();
+    assert.ok(await page.locator("#family-brittle").evaluate((family) => family.getBoundingClientRect().top < 200));
+    assert.equal(await page.evaluate(() => window.broken), undefined);
+    assert.match(await page.textContent("#bounds"), /length<\/script><script>window\.broken = 1<\/script>/);
+    assert.deepEqual(page.said, []);
+  },
+
   async "dark where the system is dark, light on paper"() {
     const page = await open("sample", { colorScheme: "dark" });
     const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
@@ -211,7 +233,7 @@ const tests = {
   },
 
   async "pages are small and open soon"() {
-    for (const name of ["sample", "sample-large", "paper2/report"]) {
+    for (const name of ["sample", "sample-large", "paper2/report", "stress/stress"]) {
       const bytes = statSync(`${folder}/${name}.html`).size;
       assert.ok(bytes < mostBytes, `${name}: ${bytes} bytes`);
       const page = await open(name);

@@ -4,7 +4,9 @@
 
 #include "base/file.h"
 #include "reports/page/page.h"
+#include "reports/stress/stress_page.h"
 #include "tests/reports/page/sample.h"
+#include "tests/reports/stress/sample.h"
 
 namespace wedgesim::tests {
 namespace {
@@ -34,5 +36,7 @@ int main(int argc, char** argv) {
   write(folder, precision_results(), false);
   write(folder, large_results(2000), false);
   write(folder, hostile_results(), true);
+  wedgesim::reports::stress::write_stress(folder / "stress", {{}, 2},
+                                          wedgesim::reports::stress::tests::sample_results());
   return 0;
 }
