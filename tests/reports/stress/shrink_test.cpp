@@ -56,7 +56,10 @@ TEST(Shrink, KeepsTheFewestEdgesThatPassTheBar) {
   ASSERT_FALSE(shrunk->culprits.empty());
   EXPECT_LE(shrunk->culprits.size(), shrunk->parts);
   double sum = 0.0;
+  double before = std::abs(shrunk->culprits.front().error());
   for (const Culprit& culprit : shrunk->culprits) {
+    EXPECT_LE(std::abs(culprit.error()), before);
+    before = std::abs(culprit.error());
     EXPECT_LE(std::abs(sum), tolerance_of(Arithmetic::float32) + shrunk->sensitivity);
     sum += culprit.error();
     ASSERT_TRUE(culprit.has_edge);
