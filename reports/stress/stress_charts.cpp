@@ -59,7 +59,7 @@ Json error_channel(const std::string& title, const Json& rows) {
           {"axis",
            {{"values", ticks},
             {"labelExpr", fmt::format("datum.value < {} ? '≤ {}' : {}", 2.0 * kLeast,
-                                      error_text(kLeast), kPowers)}}}};
+                                      difficulty_text(kLeast), kPowers)}}}};
 }
 
 Json mark_channels(Json x, Json y) {

@@ -1,6 +1,7 @@
 #include "reports/stress/stress_page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -40,9 +41,10 @@ std::string summary_html(const RunOptions& options, const std::vector<FamilyResu
     }
     const auto complaints = result.complaints();
     held += complaints.empty() ? 1 : 0;
-    for (const std::string& complaint : complaints) {
+    if (!complaints.empty()) {
       wrong += fmt::format("<li><a href=\"#family-{0}\">{0}</a>: {1}</li>\n",
-                           escape(result.family->name), escape(complaint));
+                           escape(result.family->name),
+                           escape(fmt::format("{}", fmt::join(complaints, "; "))));
     }
   }
   std::string html = "<ul class=\"facts\">\n" + fact(results.size(), "families") +
@@ -52,11 +54,9 @@ std::string summary_html(const RunOptions& options, const std::vector<FamilyResu
   html += "<div class=\"lead\">\n<div class=\"findings\">\n<h3>Findings</h3>\n<ol>\n";
   for (const std::string& words : finding_words(results)) html += element("li", words) + "\n";
   html += "</ol>\n</div>\n";
-  if (!wrong.empty()) {
-    html +=
-        "<div class=\"findings\">\n<h3>Not as it must be</h3>\n<ul>\n" + wrong + "</ul>\n</div>\n";
-  }
-  return html + "</div>\n";
+  html += "</div>\n";
+  if (wrong.empty()) return html;
+  return html + "<h3>Not as it must be</h3>\n<ul class=\"wrong\">\n" + wrong + "</ul>\n";
 }
 
 std::string number_heading(std::string_view name) {
