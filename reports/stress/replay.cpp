@@ -44,7 +44,7 @@ Table errors_table(const Measurement& measurement) {
           e.overflowed, e.signs, e.wrong_signs}) {
       row.push_back(std::to_string(n));
     }
-    row.emplace_back(e.holds ? "holds" : "beyond the bar");
+    row.emplace_back(e.holds ? "holds" : "does not hold");
     table.add_row(std::move(row));
   }
   return table;

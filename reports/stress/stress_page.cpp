@@ -119,10 +119,8 @@ std::string failures_html(const FamilyResult& result, const std::vector<FailureP
                         result.family->levels[level]};
     const Errors& errors =
         result.levels[level][name.seed].errors[static_cast<std::size_t>(picture.arithmetic)];
-    const std::string words =
-        fmt::format("{} first breaks at {}: {} {} beyond the bar, by {} at most.",
-                    name_of(picture.arithmetic), difficulty_text(name.difficulty), errors.beyond,
-                    errors.beyond == 1 ? "pixel" : "pixels", error_text(errors.max_excess));
+    const std::string words = fmt::format("{} first breaks at {}: {}.", name_of(picture.arithmetic),
+                                          difficulty_text(name.difficulty), broken_words(errors));
     html += fmt::format(
         "<figure>\n<figcaption>{0}</figcaption>\n<img width=\"{1}\" height=\"{2}\" alt=\"Judge, "
         "{3} and their difference.\" src=\"data:image/png;base64,{4}\">\n<p><code>wedgesim stress "

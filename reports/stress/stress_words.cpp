@@ -8,6 +8,7 @@
 #include "reports/page/names.h"
 #include "reports/stress/case_name.h"
 #include "reports/stress/levels.h"
+#include "reports/stress/stress_charts.h"
 
 namespace wedgesim::reports::stress {
 namespace {
@@ -105,6 +106,17 @@ std::string refused_words(const FamilyResult& result) {
   if (refused == 0) return "";
   return fmt::format("Refused: {}, first {}.",
                      refused == 1 ? "1 case" : fmt::format("{} cases", refused), first);
+}
+
+std::string broken_words(const Errors& errors) {
+  if (errors.beyond > 0) {
+    return fmt::format("{} {} beyond the bar, the worst {} beyond its sensitivity", errors.beyond,
+                       errors.beyond == 1 ? "pixel" : "pixels", error_text(errors.max_excess));
+  }
+  if (errors.not_finite > 0) return "contributions that are no number";
+  return fmt::format("an RMS error of {}, in penumbrae of {}, where {} is the bar",
+                     error_text(errors.rms), error_text(errors.rms_penumbra),
+                     error_text(kLargestRms));
 }
 
 std::vector<std::string> finding_words(const std::vector<FamilyResult>& results) {

@@ -11,6 +11,8 @@ namespace wedgesim::reports::stress {
 std::string bounds_words(const FamilyResult& result);
 /// What was refused in a family, and from where; empty if nothing was.
 std::string refused_words(const FamilyResult& result);
+/// Why a case does not hold.
+std::string broken_words(const Errors& errors);
 /// What all families together say, a sentence each.
 std::vector<std::string> finding_words(const std::vector<FamilyResult>& results);
 

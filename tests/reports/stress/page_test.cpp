@@ -20,7 +20,8 @@ TEST(StressPage, SaysHowFarEachFamilyHolds) {
         "<strong>16</strong> cases", "<strong>2</strong> refused with a reason",
         "<td class=\"number short\">0.001</td>", "<td class=\"short\">not held</td>",
         "a &lt;b&gt;number&lt;/b&gt; &amp; more (rad)", "&lt;i&gt;no room&lt;/i&gt;",
-        "float32 first breaks at 0.001: 1 pixel beyond the bar, by 0.25 at most.",
+        "float32 first breaks at 0.001: 1 pixel beyond the bar, the worst 0.25 beyond its "
+        "sensitivity.",
         "wedgesim stress --replay brittle,1,0.001", "data:image/png;base64,Ynl0ZXM="}) {
     EXPECT_NE(html.find(words), std::string::npos) << words;
   }
@@ -57,6 +58,10 @@ TEST(StressWords, AreMadeFromTheResults) {
   EXPECT_EQ(finding_words(results)[0],
             "Of 2 families, the bar holds at every difficulty for fixed in 2, float32 in 1, double "
             "in 1 and renderer in 2.");
+  Errors rms;
+  rms.rms = 0.002;
+  EXPECT_EQ(broken_words(rms),
+            "an RMS error of 2.0e-3, in penumbrae of 0, where 9.8e-4 is the bar");
   EXPECT_NE(finding_words(results)[1].find("double 2 (1 of them at no flagged wedge)"),
             std::string::npos);
 }
