@@ -10,8 +10,8 @@
 namespace wedgesim::functional {
 namespace {
 
-// An edge whose quad is seen from the light's centre under less than this sine has no sensible
-// front and back plane.
+// An edge whose line passes the light's centre at less than this share of the distance to its
+// nearer end has no sensible front and back plane.
 constexpr double kPointsAtLight = 1e-3;
 // Side directions this far from the way of the light are replaced by a simpler construction.
 constexpr double kLeastForward = 0.2;
@@ -65,7 +65,7 @@ bool points_at_light(const Light& light, const glm::dvec3& begin, const glm::dve
   const glm::dvec3 b = end - light.centre;
   const double edge = glm::length(b - a);
   return edge == 0.0 || glm::length(glm::cross(a, b)) <
-                            kPointsAtLight * edge * std::max(glm::length(a), glm::length(b));
+                            kPointsAtLight * edge * std::min(glm::length(a), glm::length(b));
 }
 
 // One corner of the loop: the directions in which the front and back planes of its two edges meet,
@@ -76,27 +76,38 @@ struct Corner {
   glm::dvec3 direction;  // in the side plane, across the penumbra (Paper I, 4.1)
 };
 
+// The direction of the line in which two planes meet, or the ray `instead`, which does reach the
+// end plane, where that line hardly does or hardly leads away from the light.
 glm::dvec3 meeting(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec3& away,
-                   const glm::dvec3& instead) {
+                   const EndPlane& end_plane, const glm::dvec3& instead) {
+  const glm::dvec3 ray = glm::normalize(instead);
   glm::dvec3 direction = glm::cross(glm::dvec3(a), glm::dvec3(b));
   const double length = glm::length(direction);
-  if (length < 1e-6) return glm::normalize(instead);
+  if (length < 1e-6) return ray;
   direction /= length;
   if (glm::dot(direction, away) < 0.0) direction = -direction;
-  return glm::dot(direction, away) < kLeastForward ? glm::normalize(instead) : direction;
+  const glm::dvec3 down = -glm::dvec3(end_plane.plane);
+  const bool leads = glm::dot(direction, away) >= kLeastForward &&
+                     glm::dot(direction, down) >= kLeastForward * glm::dot(ray, down);
+  return leads ? direction : ray;
 }
 
 Corner corner_between(const EdgePlanes& ending, const EdgePlanes& starting, const glm::dvec3& at,
-                      const glm::dvec3& ending_begin, const glm::dvec3& light_centre) {
+                      const glm::dvec3& ending_begin, const glm::dvec3& light_centre,
+                      const EndPlane& end_plane) {
   Corner corner;
   const glm::dvec3 away = glm::normalize(at - light_centre);
-  corner.front = meeting(ending.front, starting.front, away,
+  corner.front = meeting(ending.front, starting.front, away, end_plane,
                          at - 0.5 * (ending.light_at_front + starting.light_at_front));
-  corner.back = meeting(ending.back, starting.back, away,
+  corner.back = meeting(ending.back, starting.back, away, end_plane,
                         at - 0.5 * (ending.light_at_back + starting.light_at_back));
   glm::dvec3 normal = glm::cross(corner.front, corner.back);
   if (glm::length(normal) < 1e-9) {
     normal = glm::cross(away, ending.normal + starting.normal);
+  }
+  if (glm::length(normal) < 1e-9) {  // the loop turns back along the edge
+    normal = ending_begin - at;
+    normal -= glm::dot(normal, away) * away;
   }
   normal = glm::normalize(normal);
   if (glm::dot(normal, ending_begin - at) < 0.0) normal = -normal;
@@ -166,7 +177,7 @@ std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t before = (i + n - 1) % n;
     corners.push_back(
-        corner_between(planes[before], planes[i], loop[i], loop[before], light.centre));
+        corner_between(planes[before], planes[i], loop[i], loop[before], light.centre, end_plane));
   }
   const glm::dvec3 centre = 0.5 * (bounds.low + bounds.high);
   const double radius = kLidRadius * bounds.diagonal();

@@ -138,6 +138,19 @@ std::uint32_t ScreenBuilder::add_umbra_polygon(std::span<const glm::dvec3> outli
   return result;
 }
 
+// Whether a corner of the near plane's visible part, guard band included, is inside a wedge.
+bool ScreenBuilder::holds_near_corner(const WorldWedge& volume) const {
+  const std::size_t deciding = std::min(volume.planes.size(), kMaxPlanes);
+  const auto holds = [&](double x, double y) {
+    const glm::dvec4 corner(world_point(window_, x, y, 0.0), 1.0);
+    return std::all_of(volume.planes.begin(),
+                       volume.planes.begin() + static_cast<std::ptrdiff_t>(deciding),
+                       [&](const glm::dvec4& plane) { return glm::dot(plane, corner) >= 0.0; });
+  };
+  return holds(kGuardLow, kGuardLow) || holds(kGuardHigh, kGuardLow) ||
+         holds(kGuardHigh, kGuardHigh) || holds(kGuardLow, kGuardHigh);
+}
+
 bool ScreenBuilder::add_faces(const WorldWedge& volume, traces::fb::Wedge& wedge) {
   Outlines outlines;
   std::vector<std::uint32_t> planes;  // of each outline
@@ -155,6 +168,9 @@ bool ScreenBuilder::add_faces(const WorldWedge& volume, traces::fb::Wedge& wedge
     planes.push_back(plane_reference(volume.planes[face.plane]));
   }
   if (outlines.empty()) return false;
+  // The nearest point of what is seen of a wedge is on a face or, with the eye in a wedge much
+  // wider than the view, in a corner of the near plane.
+  if (holds_near_corner(volume)) z_min = 0.0;
   z_min -= kDepthSlack;
   z_max += kDepthSlack;
   grow_hull(outlines);

@@ -41,6 +41,7 @@ class ScreenBuilder {
 
  private:
   std::uint32_t vertex(const SnappedPoint& point);
+  bool holds_near_corner(const WorldWedge& volume) const;
   bool is_turned(std::span<const SnappedPoint> outline, std::uint32_t reference) const;
   std::pair<std::uint32_t, std::uint32_t> add_outline(std::span<const SnappedPoint> outline);
 

@@ -18,12 +18,29 @@ struct OutlineRay {
   glm::dvec3 side{0.0};  // inward normal of the side from this ray to the next; 0 bounds nothing
 };
 
-// Rays this much closer together than others would span a side that is mostly rounding.
+// Directions nearer than this are taken as one: a plane through both is mostly rounding.
 constexpr double kLeastSpread = 1e-6;
+// An edge that the light's centre sees under less than this points at it.
+constexpr double kLeastSine = 1e-14;
 
 constexpr std::uint32_t kNoPlane = 0xffffffffU;
 
 using Edge = std::array<glm::dvec3, 2>;
+
+// The inward normal of the side through two neighbouring rays of a rectangle's outline, or 0 if it
+// would be mostly rounding: the edge points at the corner. From the edge and the light's sides
+// themselves, not from the rays, which are nearly equal where the light is small. Two neighbours
+// differ in the end they pass or in the corner they come from; if in both, a side of the light lies
+// along the edge, and its plane holds all four.
+glm::dvec3 rectangle_side(const Edge& edge, std::size_t from_end, std::size_t to_end,
+                          const glm::dvec3& corner, const glm::dvec3& to_next_corner) {
+  const glm::dvec3 ray = edge[from_end] - corner;
+  if (to_next_corner != glm::dvec3(0.0)) return glm::cross(to_next_corner, ray);
+  const glm::dvec3 along = edge[to_end] - edge[from_end];
+  const glm::dvec3 side = glm::cross(ray, along);
+  const bool clear = glm::length(side) >= kLeastSpread * glm::length(ray) * glm::length(along);
+  return clear ? side : glm::dvec3(0.0);
+}
 
 // Rays through the edge's ends from the corners of the rectangle: the hull of their directions, in
 // order around the axis of the light, counter-clockwise about its normal.
@@ -31,25 +48,40 @@ std::vector<OutlineRay> rectangle_outline(const Light& light, const Edge& edge) 
   const glm::dvec3 u = glm::normalize(light.half_u);
   const glm::dvec3 v = glm::normalize(light.half_v);
   const glm::dvec3 normal = glm::cross(u, v);
-  std::vector<OutlineRay> rays;
+  const auto across = [&](const glm::dvec3& d) {
+    return glm::dvec2(glm::dot(d, u), glm::dot(d, v));
+  };
+  const glm::dvec3 to_begin = edge[0] - light.centre;
+  const glm::dvec3 along = edge[1] - edge[0];
+  const std::array<double, 2> height{glm::dot(to_begin, normal),
+                                     glm::dot(edge[1] - light.centre, normal)};
+  // Slopes less that of the ray from the centre through the edge's begin: small lights and short
+  // edges keep their digits.
+  const glm::dvec2 end_slope =
+      (across(along) * height[0] - across(to_begin) * glm::dot(along, normal)) /
+      (height[0] * height[1]);
+  constexpr std::array<glm::dvec2, 4> kCorners{glm::dvec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}};
   std::vector<glm::dvec2> slopes;
   for (std::size_t apex = 0; apex < 2; ++apex) {
-    for (const glm::dvec3& corner : light_corners(light)) {
-      const glm::dvec3 d = edge[apex] - corner;
-      const double height = glm::dot(d, normal);
-      rays.push_back({apex, d / height});
-      slopes.push_back(glm::dvec2(glm::dot(d, u), glm::dot(d, v)) / height);
+    for (const glm::dvec2& corner : kCorners) {
+      const glm::dvec2 offset(corner.x * glm::length(light.half_u),
+                              corner.y * glm::length(light.half_v));
+      slopes.push_back((apex == 0 ? glm::dvec2(0.0) : end_slope) - offset / height[apex]);
     }
   }
+  const std::vector<std::size_t> hull = convex_hull_indices(slopes);
   std::vector<OutlineRay> outline;
-  for (const std::size_t i : convex_hull_indices(slopes)) outline.push_back(rays[i]);
-  double widest = 0.0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    outline[i].side = glm::cross(outline[i].direction, outline[(i + 1) % outline.size()].direction);
-    widest = std::max(widest, glm::length(outline[i].side));
-  }
-  for (OutlineRay& ray : outline) {
-    if (glm::length(ray.side) < kLeastSpread * widest) ray.side = glm::dvec3(0.0);
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const std::size_t apex = hull[i] / 4;
+    const std::size_t next = hull[(i + 1) % hull.size()];
+    const glm::dvec2 corner = kCorners[hull[i] % 4];
+    glm::dvec2 way = kCorners[next % 4] - corner;
+    // Slopes go against corners; only between two ends on one line with both can they go along.
+    if (glm::dot(way, slopes[next] - slopes[hull[i]]) > 0.0) way = -way;
+    const glm::dvec3 from = light.centre + corner.x * light.half_u + corner.y * light.half_v;
+    outline.push_back(
+        {apex, (edge[apex] - from) / height[apex],
+         rectangle_side(edge, apex, next / 4, from, way.x * light.half_u + way.y * light.half_v)});
   }
   return outline;
 }
@@ -73,15 +105,21 @@ std::vector<SphereNormal> sphere_normals(const Light& light, const Edge& edge) {
     cosine[i] = std::min(1.0, light.radius / distance[i]);
     sine[i] = std::sqrt(1.0 - cosine[i] * cosine[i]);
   }
-  const glm::dvec3 w = glm::cross(axis[0], axis[1]);
+  // From the edge itself: between the ends of a short one little is left of two large vectors.
+  const glm::dvec3 along = edge[1] - edge[0];
+  const glm::dvec3 w = glm::cross(a[0], along) / (distance[0] * distance[1]);
   const double sin_between = glm::length(w);
   const double cos_between = glm::dot(axis[0], axis[1]);
+  const double farther = glm::dot(along, a[0] + a[1]) / (distance[0] + distance[1]);  // end 1, by
 
   // Corner of the caps: cos φ of the angle about axis 0 away from the direction to axis 1.
   const auto corner_cosine = [&](std::size_t i) {
-    return (cosine[1 - i] - cosine[i] * cos_between) / (sine[i] * sin_between);
+    const double nearer_cone = (i == 0 ? -farther : farther) / distance[1 - i];
+    const double bend =
+        cos_between > 0.0 ? sin_between * sin_between / (1.0 + cos_between) : 1.0 - cos_between;
+    return cosine[i] * (nearer_cone + bend) / (sine[i] * sin_between);
   };
-  const bool lens = sin_between > kLeastSpread && std::abs(corner_cosine(0)) < 1.0 - 1e-9 &&
+  const bool lens = sin_between > kLeastSine && std::abs(corner_cosine(0)) < 1.0 - 1e-9 &&
                     std::abs(corner_cosine(1)) < 1.0 - 1e-9;
   std::vector<SphereNormal> normals;
   if (!lens) {
@@ -104,7 +142,8 @@ std::vector<SphereNormal> sphere_normals(const Light& light, const Edge& edge) {
   // Around axis i, from one corner of the caps towards the other: the corner it starts from and two
   // normals between them.
   const auto arc = [&](std::size_t i, double from, double to) {
-    const glm::dvec3 towards = glm::normalize(axis[1 - i] - cos_between * axis[i]);
+    const glm::dvec3 way = i == 0 ? along : -along;
+    const glm::dvec3 towards = glm::normalize(way - glm::dot(way, axis[i]) * axis[i]);
     const double half = std::acos(corner_cosine(i));
     for (int k = 0; k < 3; ++k) {
       const double angle = half * (from + (to - from) * k / 3.0);

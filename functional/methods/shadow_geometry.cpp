@@ -182,8 +182,10 @@ class Builder {
       if (volume.faces.empty()) ++geometry_.degenerate_wedges;
       return traces::kNone;
     }
-    shadow.light_begin = glm::dvec3(to_light_ * glm::dvec4(shadow.begin, 1.0));
-    shadow.light_end = glm::dvec3(to_light_ * glm::dvec4(shadow.end, 1.0));
+    // By their distance from the light: the matrix's translation would round small lights away.
+    const glm::dmat3 axes(to_light_);
+    shadow.light_begin = axes * (shadow.begin - light_.centre);
+    shadow.light_end = axes * (shadow.end - light_.centre);
     shadow.umbra_plane = SidedPlane(umbra_plane);
     for (std::size_t i = 0; i < std::min(volume.planes.size(), kMaxPlanes); ++i) {
       shadow.planes.emplace_back(volume.planes[i]);

@@ -11,28 +11,34 @@
 namespace wedgesim::functional {
 namespace {
 
-// Two frames beyond each edge of the largest, narrow enough that 24 bits and a sign hold 1/256
-// pixels.
-constexpr double kGuardLow = -2.0 * kMaxFrameEdge;
-constexpr double kGuardHigh = 3.0 * kMaxFrameEdge;
+// A side of what is clipped to: inside iff dot(plane, homogeneous window point) >= offset.
+struct ClipPlane {
+  glm::dvec4 plane;
+  double offset = 0.0;
+  bool near = false;
 
-// Inside iff dot(plane, homogeneous window point) >= 0.
-const std::array<glm::dvec4, 5> kClipPlanes{
-    glm::dvec4(0, 0, 1, 0), glm::dvec4(1, 0, 0, -kGuardLow), glm::dvec4(-1, 0, 0, kGuardHigh),
-    glm::dvec4(0, 1, 0, -kGuardLow), glm::dvec4(0, -1, 0, kGuardHigh)};
+  double distance(const glm::dvec4& p) const {
+    return (plane.x * p.x + plane.y * p.y + plane.z * p.z + plane.w * p.w) - offset;
+  }
+};
 
-double distance(const glm::dvec4& plane, const glm::dvec4& p) {
-  return plane.x * p.x + plane.y * p.y + plane.z * p.z + plane.w * p.w;
+// The near plane by w, the distance: z is the difference of two large terms where near is small.
+std::array<ClipPlane, 5> clip_planes(double near) {
+  return {ClipPlane{glm::dvec4(0, 0, 0, 1), near, true},
+          {glm::dvec4(1, 0, 0, -kGuardLow)},
+          {glm::dvec4(-1, 0, 0, kGuardHigh)},
+          {glm::dvec4(0, 1, 0, -kGuardLow)},
+          {glm::dvec4(0, -1, 0, kGuardHigh)}};
 }
 
-void clip(const glm::dvec4& plane, std::vector<glm::dvec4>& polygon,
+void clip(const ClipPlane& plane, std::vector<glm::dvec4>& polygon,
           std::vector<glm::dvec4>& scratch) {
   scratch.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const glm::dvec4& from = polygon[i];
     const glm::dvec4& to = polygon[(i + 1) % polygon.size()];
-    const double d_from = distance(plane, from);
-    const double d_to = distance(plane, to);
+    const double d_from = plane.distance(from);
+    const double d_to = plane.distance(to);
     if (d_from >= 0.0) scratch.push_back(from);
     if ((d_from >= 0.0) != (d_to >= 0.0)) {
       // Always from the inside to the outside end, so that a shared edge is cut once.
@@ -41,7 +47,12 @@ void clip(const glm::dvec4& plane, std::vector<glm::dvec4>& polygon,
       const glm::dvec4& out = leaving ? to : from;
       const double d_in = leaving ? d_from : d_to;
       const double d_out = leaving ? d_to : d_from;
-      scratch.push_back(in + (d_in / (d_in - d_out)) * (out - in));
+      glm::dvec4 cut = in + (d_in / (d_in - d_out)) * (out - in);
+      if (plane.near) {  // what rounding would leave of them may be nothing
+        cut.z = 0.0;
+        cut.w = plane.offset;
+      }
+      scratch.push_back(cut);
     }
   }
   polygon.swap(scratch);
@@ -56,9 +67,9 @@ std::vector<WindowPoint> clip_to_window(const Window& window, std::span<const gl
     points.push_back(window.window_from_world * glm::dvec4(p, 1.0));
   }
   std::vector<glm::dvec4> scratch;
-  for (const glm::dvec4& plane : kClipPlanes) {
+  for (const ClipPlane& plane : clip_planes(view_distance(window, 0.0))) {
     for (const glm::dvec4& p : points) {
-      if (distance(plane, p) < 0.0) {
+      if (plane.distance(p) < 0.0) {
         clip(plane, points, scratch);
         break;
       }

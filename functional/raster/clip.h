@@ -4,9 +4,15 @@
 #include <span>
 #include <vector>
 
+#include "base/limits.h"
 #include "functional/raster/window.h"
 
 namespace wedgesim::functional {
+
+/// Polygons are clipped to this guard band in x and y, window pixels: two frames beyond each edge
+/// of the largest, narrow enough that 24 bits and a sign hold 1/256 pixels.
+inline constexpr double kGuardLow = -2.0 * kMaxFrameEdge;
+inline constexpr double kGuardHigh = 3.0 * kMaxFrameEdge;
 
 /// A window vertex before snapping: pixels and window depth.
 using WindowPoint = glm::dvec3;

@@ -76,7 +76,7 @@ TEST(LightFile, Errors) {
   EXPECT_EQ(error_of("shape = 'disc'\ncentre = [0, 5, 0]"),
             "a.toml:1: 'shape' is 'disc'; expected rectangle, sphere or point");
   EXPECT_EQ(error_of("centre = [0, 5, 0]\nsize = [1, -1]\ntarget = [0, 0, 0]"),
-            "a.toml:2: 'size' is -1; expected a number from 0 to 1e+06");
+            "a.toml:2: 'size' is -1; expected a number from 0 to 1e+12");
   EXPECT_EQ(error_of("centre = [0, 5, 0]\nsize = [1, 1]\ntarget = [0, 5, 0]"),
             "a.toml:3: 'target' is the light's centre; expected a point elsewhere");
   EXPECT_EQ(error_of("centre = [0, 5, 0]\nhalf_u = [1, 0, 0]\nhalf_v = [1, 0, 1]"),

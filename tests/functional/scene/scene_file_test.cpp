@@ -155,10 +155,10 @@ TEST_F(SceneFile, FoldersAreNoScenes) {
 
 TEST_F(SceneFile, CoordinatesHaveARange) {
   EXPECT_EQ(error(edited("size = [1, 1, 1]",
-                         "size = [1, 1, 1]\nscale = [1, 1, 1e6]\n"
-                         "position = [0, 0, 6e5]")),
-            "edited.toml: mesh 'box': vertex 0 is at (-0.5, 0, 1.1e+06); expected numbers from "
-            "-1e+06 to 1e+06");
+                         "size = [1, 1, 1]\nscale = [1, 1, 1e12]\n"
+                         "position = [0, 0, 6e11]")),
+            "edited.toml: mesh 'box': vertex 0 is at (-0.5, 0, 1.1e+12); expected numbers from "
+            "-1e+12 to 1e+12");
 }
 
 TEST_F(SceneFile, OptionsChangeSizeFrameAndLight) {
@@ -214,7 +214,7 @@ TEST_F(SceneFile, MistakesInTheFileHaveTheirLine) {
   EXPECT_EQ(error(edited("shape = \"box\"", "shape = \"cube\"")).substr(0, 41),
             "edited.toml:17: 'shape' is 'cube'; expect");
   EXPECT_EQ(error(edited("size = [1, 1, 1]", "size = [1, 0, 1]")),
-            "edited.toml:19: 'size' is 0; expected a number from 1e-06 to 1e+06");
+            "edited.toml:19: 'size' is 0; expected a number from 1e-12 to 1e+12");
   EXPECT_EQ(error(edited("size = [1, 1, 1]", "size = [1, 1, 1]\nradius = 2")),
             "edited.toml:20: unknown key 'radius'; expected one of casts, colour, repair, shape, "
             "size, name, fit, scale, turn, field, positions, position");
