@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/count/atan.h"
+#include "model/datapath/disc_frame.h"
 
 namespace wedgesim::model {
 namespace {
@@ -40,17 +41,6 @@ RectangleTerms rectangle_terms(const traces::fb::Matrix4& light_from_window,
   return {{project(begin), project(end)}};
 }
 
-SphereTerms sphere_terms(const traces::fb::Matrix4& light_from_window, const glm::dvec3& begin,
-                         const glm::dvec3& end) {
-  return {matrix_row(light_from_window, 0),
-          matrix_row(light_from_window, 1),
-          matrix_row(light_from_window, 2),
-          matrix_row(light_from_window, 3),
-          begin,
-          end - begin,
-          glm::cross(begin, end)};
-}
-
 RowOf<float> single(const Row& row) {
   return {static_cast<float>(row.a), static_cast<float>(row.b), static_cast<float>(row.c),
           static_cast<float>(row.d)};
@@ -72,8 +62,14 @@ RectangleTermsOf<float> single(const RectangleTerms& terms) {
 }
 
 SphereTermsOf<float> single(const SphereTerms& terms) {
-  return {single(terms.x),        single(terms.y),       single(terms.z),        single(terms.w),
-          glm::vec3(terms.begin), glm::vec3(terms.edge), glm::vec3(terms.normal)};
+  const auto real = [](double x) { return static_cast<float>(x); };
+  return {single(terms.along),
+          single(terms.out),
+          single(terms.normal),
+          single(terms.w),
+          real(terms.distance),
+          real(terms.distance_squared),
+          {real(terms.ends[0]), real(terms.ends[1])}};
 }
 
 // The part [first, last] of a segment, 0 at its begin and 1 at its end.
@@ -125,6 +121,21 @@ Real upper_angle(Real y, Real x) {
   return x < 0.0 ? Real(kPi) - angle : angle;
 }
 
+SphereTerms sphere_terms(const std::array<Row, 4>& light, const glm::dvec3& begin,
+                         const glm::dvec3& end) {
+  const datapath::DiscFrame frame = datapath::disc_frame(begin, end);
+  const auto component = [&](const glm::dvec3& axis) {
+    return combine(combine(light[0], axis.x, light[1], -axis.y), 1.0, light[2], -axis.z);
+  };
+  return {component(frame.along),
+          component(frame.out),
+          component(frame.normal),
+          light[3],
+          frame.distance,
+          frame.distance * frame.distance,
+          frame.ends};
+}
+
 LightTerms light_terms(const traces::TraceView& trace, const traces::fb::Wedge& wedge) {
   if (wedge.kind() == traces::fb::WedgeKind_linear) {
     LinearTerms terms;
@@ -136,7 +147,8 @@ LightTerms light_terms(const traces::TraceView& trace, const traces::fb::Wedge& 
   const glm::dvec3 begin = vec(wedge.edge_begin());
   const glm::dvec3 end = vec(wedge.edge_end());
   if (light.shape == traces::fb::LightShape_sphere) {
-    return sphere_terms(light.light_from_window, begin, end);
+    const auto row = [&](std::uint16_t i) { return matrix_row(light.light_from_window, i); };
+    return sphere_terms({row(0), row(1), row(2), row(3)}, begin, end);
   }
   return rectangle_terms(light.light_from_window, begin, end);
 }
@@ -209,58 +221,40 @@ Real coverage(const RectangleTermsOf<Real>& terms, std::type_identity_t<Real> x,
 template <typename Real>
 Real coverage(const SphereTermsOf<Real>& terms, std::type_identity_t<Real> x,
               std::type_identity_t<Real> y, std::type_identity_t<Real> z) {
-  const Real px = terms.x.at(x, y, z);
-  const Real py = terms.y.at(x, y, z);
-  const Real pz = terms.z.at(x, y, z);
+  const Real along = terms.along.at(x, y, z);
+  const Real out = terms.out.at(x, y, z);
+  const Real normal = terms.normal.at(x, y, z);
   const Real w = terms.w.at(x, y, z);
-  const Real pp = px * px + py * py + pz * pz;
-  const Real g = pp - w * w;
-  if (!(g > 0.0)) return 0.0;
-  // From the point towards the edge, times w: v(t) = v + t*d.
-  const Real vx = w * terms.begin.x - px;
-  const Real vy = w * terms.begin.y - py;
-  const Real vz = w * terms.begin.z - pz;
-  const Real dx = w * terms.edge.x;
-  const Real dy = w * terms.edge.y;
-  const Real dz = w * terms.edge.z;
-  const Real vp = vx * px + vy * py + vz * pz;
-  const Real dp = dx * px + dy * py + dz * pz;
-  // In the tangent cone iff f(t) = (v.p)^2 - g*|v|^2 = A*t^2 + 2*B*t + C >= 0, and v.p < 0.
-  const Real a = dp * dp - g * (dx * dx + dy * dy + dz * dz);
-  const Real b = vp * dp - g * (vx * dx + vy * dy + vz * dz);
-  const Real c = vp * vp - g * (vx * vx + vy * vy + vz * vz);
-  Real discriminant = b * b - a * c;
-  if (a < 0.0 && !(discriminant > 0.0)) return 0.0;
-  if (!(discriminant > 0.0)) discriminant = 0.0;
-  const Real root = std::sqrt(discriminant);
-  const Real q = b < 0.0 ? root - b : -(b + root);
-  const Real r0 = q / a;
-  const Real r1 = c / q;
-  const Real low = r0 < r1 ? r0 : r1;
-  const Real high = r0 < r1 ? r1 : r0;
-  // Outside the double cone the line is within one half of it between the roots; along it, beyond
-  // the root on the side that goes towards the light.
-  Part<Real> part;
-  if ((a < 0.0 || dp < 0.0) && (a < 0.0 ? low : high) > 0.0) part.first = a < 0.0 ? low : high;
-  if ((a < 0.0 || !(dp < 0.0)) && (a < 0.0 ? high : low) < 1.0) part.last = a < 0.0 ? high : low;
-  if (!(part.first < part.last)) return 0.0;
-  const Real axial0 = vp + part.first * dp;
-  const Real axial1 = vp + part.last * dp;
-  if (!(axial0 < 0.0) || !(axial1 < 0.0)) return 0.0;
-  const Real x0 = vx + part.first * dx;
-  const Real y0 = vy + part.first * dy;
-  const Real z0 = vz + part.first * dz;
-  const Real x1 = vx + part.last * dx;
-  const Real y1 = vy + part.last * dy;
-  const Real z1 = vz + part.last * dz;
-  const Real axial = axial0 * axial1 / pp;
-  const Real inline_part = (x0 * x1 + y0 * y1 + z0 * z1) - axial;
-  // p . (v0 x v1) = (last - first) * w^2 * p . (begin x end)
-  const Real triple = (part.last - part.first) * (w * w) *
-                      (px * terms.normal.x + py * terms.normal.y + pz * terms.normal.z);
-  const Real across = std::fabs(triple) / std::sqrt(pp);
-  const Real cross = across * g / (axial * (w * w));
-  return (upper_angle(across, inline_part) - cross) * Real(0.5 / kPi);
+  const Real beyond = w * terms.distance - out;
+  const Real normal2 = normal * normal;
+  const Real w2 = w * w;
+  const Real radius2 = along * along + out * out + normal2;
+  const Real tangent2 = radius2 - w2;
+  const Real reach2 = normal2 + beyond * beyond;
+  if (!(tangent2 > 0.0) || !(reach2 > 0.0)) return 0.0;
+  const Real height2 = terms.distance_squared * normal2 / reach2;
+  if (!(height2 < 1.0)) return 0.0;
+  // The tangents of the ends' angles from the centre: disc_coverage.cpp.
+  const Real limit = std::sqrt((Real(1) - height2) * w2 / tangent2);
+  const Real reach = std::sqrt(reach2);
+  const Real axial_out = normal2 - out * beyond;
+  std::array<Real, 2> tangents{-limit, limit};
+  int ahead = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Real axial = axial_out - along * (w * terms.ends[i] - along);
+    if (!(axial > 0.0)) continue;
+    const Real turn = along * terms.distance - out * terms.ends[i];
+    const Real tangent = w * (normal2 * terms.ends[i] + beyond * turn) / (reach * axial);
+    tangents[i] = tangent < -limit ? -limit : (tangent > limit ? limit : tangent);
+    ++ahead;
+  }
+  const auto [first, last] = tangents;
+  if (ahead == 0 || !(first < last)) return 0.0;
+  const Real point2 = radius2 / w2;
+  const Real length = std::sqrt(height2 * point2) * (last - first);
+  const Real inline_part = height2 + point2 * (first * last);
+  const Real triangle = length * tangent2 / (radius2 - height2 * w2);
+  return (upper_angle(length, inline_part) - triangle) * Real(0.5 / kPi);
 }
 
 template float upper_angle(float, float);

@@ -32,15 +32,13 @@ struct RectangleTermsOf {
   std::array<End, 2> ends;
 };
 
-/// `coverage`, spherical light: the point's homogeneous position about the light's centre, in
-/// radii, and the edge there.
+/// `coverage`, spherical light: the point in the edge's frame about the light's centre, homogeneous
+/// and in radii, and the edge there (disc_frame.h).
 template <typename Real>
 struct SphereTermsOf {
-  using Vec3 = glm::vec<3, Real>;
-  RowOf<Real> x, y, z, w;
-  Vec3 begin{Real(0)};
-  Vec3 edge{Real(0)};    // end - begin
-  Vec3 normal{Real(0)};  // begin x end
+  RowOf<Real> along, out, normal, w;
+  Real distance = 0, distance_squared = 0;  // of the edge's line from the centre
+  std::array<Real, 2> ends{};               // their coordinates along the edge, increasing
 };
 
 using LinearTerms = LinearTermsOf<double>;
@@ -58,6 +56,11 @@ struct FixedTerms {
 };
 
 using LightTerms = std::variant<LinearTerms, RectangleTerms, SphereTerms, FixedTerms, SingleTerms>;
+
+/// \param light       homogeneous light space from window space
+/// \param begin, end  of the edge, light space: radii
+SphereTerms sphere_terms(const std::array<Row, 4>& light, const glm::dvec3& begin,
+                         const glm::dvec3& end);
 
 /// Per-wedge constants of the light intensity or coverage, for the exact datapath.
 LightTerms light_terms(const traces::TraceView& trace, const traces::fb::Wedge& wedge);
@@ -86,7 +89,8 @@ template <typename Real>
 Real coverage(const RectangleTermsOf<Real>& terms, std::type_identity_t<Real> x,
               std::type_identity_t<Real> y, std::type_identity_t<Real> z);
 /// \copydoc coverage. The outline is the circle in which the tangent cone from the point touches.
-/// 0 if the point is inside the light.
+/// 0 if the point is inside the light. As datapath::coverage of a DiscSetup, whose comment explains
+/// it: nothing that is small is the difference of what is large.
 template <typename Real>
 Real coverage(const SphereTermsOf<Real>& terms, std::type_identity_t<Real> x,
               std::type_identity_t<Real> y, std::type_identity_t<Real> z);

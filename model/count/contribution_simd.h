@@ -79,7 +79,7 @@ std::array<Row, 6> rows_of(const RectangleTerms& terms) {
   return {p.u, p.v, p.w, q.u, q.v, q.w};
 }
 std::array<Row, 4> rows_of(const SphereTerms& terms) {
-  return {terms.x, terms.y, terms.z, terms.w};
+  return {terms.along, terms.out, terms.normal, terms.w};
 }
 
 V value_of(const LinearTerms& terms, const Here& here) {
@@ -181,65 +181,48 @@ V upper_angles(V y, V x) {
   return hn::IfThenElse(hn::Eq(large, zero), zero, angle);
 }
 
-struct Vector {
-  V x, y, z;
-};
-V dot(const Vector& a, const Vector& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-Vector broadcast(const glm::dvec3& v) { return {set(v.x), set(v.y), set(v.z)}; }
-Vector scale(V w, const Vector& a) { return {hn::Mul(w, a.x), hn::Mul(w, a.y), hn::Mul(w, a.z)}; }
-Vector minus(const Vector& a, const Vector& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-Vector along(const Vector& begin, V t, const Vector& direction) {
-  return {along(begin.x, t, direction.x), along(begin.y, t, direction.y),
-          along(begin.z, t, direction.z)};
-}
-
 V value_of(const SphereTerms& terms, const Here& here) {
   const V zero = hn::Zero(kTag);
-  const Vector p{here(0), here(1), here(2)};
+  const V one = set(1.0);
+  const V along_edge = here(0);
+  const V out = here(1);
+  const V normal = here(2);
   const V w = here(3);
-  const V pp = dot(p, p);
-  const V g = hn::Sub(pp, hn::Mul(w, w));
-  M alive = hn::Gt(g, zero);
-  const Vector v = minus(scale(w, broadcast(terms.begin)), p);
-  const Vector e = scale(w, broadcast(terms.edge));
-  const V vp = dot(v, p);
-  const V ep = dot(e, p);
-  const V a = hn::Sub(hn::Mul(ep, ep), hn::Mul(g, dot(e, e)));
-  const V b = hn::Sub(hn::Mul(vp, ep), hn::Mul(g, dot(v, e)));
-  const V c = hn::Sub(hn::Mul(vp, vp), hn::Mul(g, dot(v, v)));
-  const V discriminant = hn::Sub(hn::Mul(b, b), hn::Mul(a, c));
-  const M positive = hn::Gt(discriminant, zero);
-  const M crosses = hn::Lt(a, zero);
-  alive = hn::And(alive, hn::Or(positive, hn::Not(crosses)));
-  const V root = hn::Sqrt(hn::IfThenElseZero(positive, discriminant));
-  const V q = hn::IfThenElse(hn::Lt(b, zero), hn::Sub(root, b), hn::Neg(hn::Add(b, root)));
-  const V r0 = hn::Div(q, a);
-  const V r1 = hn::Div(c, q);
-  const M ordered = hn::Lt(r0, r1);
-  const V low = hn::IfThenElse(ordered, r0, r1);
-  const V high = hn::IfThenElse(ordered, r1, r0);
-  const M towards = hn::Lt(ep, zero);
-  const V enter = hn::IfThenElse(crosses, low, high);
-  const V leave = hn::IfThenElse(crosses, high, low);
-  const M enters = hn::And(hn::Or(crosses, towards), hn::Gt(enter, zero));
-  const M leaves = hn::And(hn::Or(crosses, hn::Not(towards)), hn::Lt(leave, set(1.0)));
-  const V first = hn::IfThenElse(enters, enter, zero);
-  const V last = hn::IfThenElse(leaves, leave, set(1.0));
-  const V axial0 = along(vp, first, ep);
-  const V axial1 = along(vp, last, ep);
-  alive = hn::And(alive, hn::Lt(first, last));
-  alive = hn::And(alive, hn::And(hn::Lt(axial0, zero), hn::Lt(axial1, zero)));
-  const V axial = hn::Div(hn::Mul(axial0, axial1), pp);
-  const V inline_part = hn::Sub(dot(along(v, first, e), along(v, last, e)), axial);
-  const V ww = hn::Mul(w, w);
-  const V triple = hn::Mul(hn::Mul(hn::Sub(last, first), ww), dot(p, broadcast(terms.normal)));
-  const V across = hn::Div(hn::Abs(triple), hn::Sqrt(pp));
-  const V cross = hn::Div(hn::Mul(across, g), hn::Mul(axial, ww));
-  const V area = hn::Sub(upper_angles(across, inline_part), cross);
+  const V distance = set(terms.distance);
+  const V beyond = hn::Sub(hn::Mul(w, distance), out);
+  const V normal2 = hn::Mul(normal, normal);
+  const V w2 = hn::Mul(w, w);
+  const V radius2 = hn::Add(hn::Add(hn::Mul(along_edge, along_edge), hn::Mul(out, out)), normal2);
+  const V tangent2 = hn::Sub(radius2, w2);
+  const V reach2 = hn::Add(normal2, hn::Mul(beyond, beyond));
+  const V height2 = hn::Div(hn::Mul(set(terms.distance_squared), normal2), reach2);
+  M alive = hn::And(hn::Gt(tangent2, zero), hn::Gt(reach2, zero));
+  alive = hn::And(alive, hn::Lt(height2, one));
+  const V limit = hn::Sqrt(hn::Div(hn::Mul(hn::Sub(one, height2), w2), tangent2));
+  const V reach = hn::Sqrt(reach2);
+  const V axial_out = hn::Sub(normal2, hn::Mul(out, beyond));
+  const V back = hn::Neg(limit);
+  M ahead = hn::Lt(one, zero);
+  const auto tangent_of = [&](double end, V otherwise) HWY_ATTR {
+    const V at = set(end);
+    const V axial = hn::Sub(axial_out, hn::Mul(along_edge, hn::Sub(hn::Mul(w, at), along_edge)));
+    const M is_ahead = hn::Gt(axial, zero);
+    ahead = hn::Or(ahead, is_ahead);
+    const V turn = hn::Sub(hn::Mul(along_edge, distance), hn::Mul(out, at));
+    const V sideways = hn::Mul(w, hn::Add(hn::Mul(normal2, at), hn::Mul(beyond, turn)));
+    const V tangent = hn::Div(sideways, hn::Mul(reach, axial));
+    const V limited = hn::IfThenElse(hn::Lt(tangent, back), back,
+                                     hn::IfThenElse(hn::Gt(tangent, limit), limit, tangent));
+    return hn::IfThenElse(is_ahead, limited, otherwise);
+  };
+  const V first = tangent_of(terms.ends[0], back);
+  const V last = tangent_of(terms.ends[1], limit);
+  alive = hn::And(alive, hn::And(ahead, hn::Lt(first, last)));
+  const V point2 = hn::Div(radius2, w2);
+  const V length = hn::Mul(hn::Sqrt(hn::Mul(height2, point2)), hn::Sub(last, first));
+  const V inline_part = hn::Add(height2, hn::Mul(point2, hn::Mul(first, last)));
+  const V triangle = hn::Div(hn::Mul(length, tangent2), hn::Sub(radius2, hn::Mul(height2, w2)));
+  const V area = hn::Sub(upper_angles(length, inline_part), triangle);
   return hn::IfThenElseZero(alive, hn::Mul(area, set(0.5 / kPi)));
 }
 

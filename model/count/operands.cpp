@@ -31,7 +31,7 @@ bool Datapath::stencil_holds(std::int64_t stencil) const {
 }
 
 Operands::Operands(const traces::TraceView& trace, const Datapath& datapath)
-    : trace_(trace), datapath_(datapath), steps_(trace.header.depth_format) {}
+    : trace_(trace), datapath_(datapath), steps_(trace.header.depth_format, trace.depth) {}
 
 Plane Operands::plane(std::uint32_t reference) const {
   if (single()) return single_plane(resolve(trace_, reference));
@@ -69,7 +69,7 @@ double Operands::depth(std::uint32_t word) const {
   return static_cast<double>(steps_.of_word(word));
 }
 
-double Operands::far() const { return fixed() ? steps_.one() : 1.0; }
+double Operands::far() const { return fixed() ? static_cast<double>(steps_.high()) : 1.0; }
 
 LightTerms Operands::terms(const traces::fb::Wedge& wedge) const {
   if (single()) return single_terms(trace_, wedge);

@@ -50,6 +50,9 @@ void add_vertex_bounds(const Operands& operands, const traces::fb::Wedge& wedge,
     }
   }
   if (wedge.face_count() > 0) {
+    // With the eye inside it, a wedge reaches nearer than any of its faces.
+    box.z.min = std::min(box.z.min, wedge.z_min());
+    box.z.max = std::max(box.z.max, wedge.z_max());
     box.z = operands.culling_interval(operands.around(box.z.min, box.z.max), primitive.z);
   }
   primitive.vertex_box = box;

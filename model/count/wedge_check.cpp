@@ -46,7 +46,7 @@ class Check {
         operands_(trace, datapath),
         width_(trace.header.width),
         height_(trace.header.height),
-        steps_(datapath::ZSteps(trace.header.depth_format).one()),
+        steps_(trace.header.depth_format, trace.depth),
         rounding_(datapath.kind == DatapathKind::float32 ? 0x1p-24 : 0x1p-53),
         fixed_(datapath.kind == DatapathKind::fixed) {}
 
@@ -68,13 +68,13 @@ class Check {
  private:
   Form of(const datapath::FixedForm& form) const {
     const auto size = [](std::int64_t x) { return std::fabs(static_cast<double>(x)); };
-    return {width_ + height_ + 0.5 * (steps_ + 1.0), size(form.c),
-            2.0 * std::max(size(form.a), size(form.b))};
+    return {width_ + height_ + 0.5 * (static_cast<double>(steps_.high() - steps_.low()) + 1.0),
+            size(form.c), 2.0 * std::max(size(form.a), size(form.b))};
   }
   Form of(const Row& row) const {
     const double a = std::fabs(row.a), b = std::fabs(row.b), c = std::fabs(row.c);
     const double size = a * width_ + b * height_ + c + std::fabs(row.d);
-    return {4.0 * rounding_ * size, c / steps_, std::max(a, b)};
+    return {4.0 * rounding_ * size, c / steps_.one(), std::max(a, b)};
   }
 
   Form plane_form(std::uint32_t reference) const {
@@ -91,11 +91,11 @@ class Check {
       return worst;
     }
     const auto& sphere = std::get<SphereTerms>(terms);
-    for (const glm::dvec3& end : {sphere.begin, sphere.begin + sphere.edge}) {
-      const auto to_end = [&](const Row& p, double e) { return of_difference(sphere.w, e, p); };
-      worst = std::max(worst, together({to_end(sphere.x, end.x), to_end(sphere.y, end.y),
-                                        to_end(sphere.z, end.z)})
-                                  .excess());
+    for (const double end : sphere.ends) {
+      worst = std::max(
+          worst, together({of_difference(sphere.w, end, sphere.along),
+                           of_difference(sphere.w, sphere.distance, sphere.out), of(sphere.normal)})
+                     .excess());
     }
     return worst;
   }
@@ -129,7 +129,8 @@ class Check {
 
   const traces::TraceView& trace_;
   Operands operands_;
-  double width_, height_, steps_;
+  double width_, height_;
+  datapath::ZSteps steps_;
   double rounding_;
   bool fixed_;
 };

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kFrame = kMaxFrameEdge;
 constexpr double kFloatSteps = 67108864.0;  // 2^26
+constexpr int kMostMagnified = 60;          // of reversed depths, powers of two
 constexpr int kNoExponent = -1022;          // of forms that are 0
 
 bool is_unorm(traces::fb::DepthFormat format) {
@@ -23,24 +24,45 @@ bool is_unorm(traces::fb::DepthFormat format) {
 
 }  // namespace
 
-ZSteps::ZSteps(traces::fb::DepthFormat format)
-    : format_(format), one_(is_unorm(format) ? traces::sky_word(format) : kFloatSteps) {}
+ZSteps::ZSteps(traces::fb::DepthFormat format, std::span<const std::uint32_t> words)
+    : format_(format), one_(is_unorm(format) ? traces::sky_word(format) : kFloatSteps) {
+  high_ = static_cast<std::int64_t>(one_);
+  if (format != traces::fb::DepthFormat_float32_reversed) return;
+  origin_ = 1.0;
+  low_ = -high_;
+  high_ = 0;
+  // Words of floats that are not negative are in the order of the floats.
+  const auto greatest = std::max_element(words.begin(), words.end());
+  if (greatest == words.end()) return;
+  int exponent = 0;
+  const double share = std::frexp(static_cast<double>(std::bit_cast<float>(*greatest)), &exponent);
+  if (share == 0.5) --exponent;  // a power of two itself
+  one_ = std::ldexp(kFloatSteps, std::min(-exponent, kMostMagnified));
+}
 
 std::int64_t ZSteps::of_word(std::uint32_t word) const {
   if (is_unorm(format_)) return word;
+  if (format_ == traces::fb::DepthFormat_float32_reversed) {
+    return -std::llrint(static_cast<double>(std::bit_cast<float>(word)) * one_);
+  }
   return std::llrint(traces::decode_depth(format_, word) * one_);
 }
 
 std::int64_t ZSteps::first(double z) const {
-  return static_cast<std::int64_t>(std::ceil(z * one_));
+  const double step = std::ceil((z - origin_) * one_);
+  return static_cast<std::int64_t>(
+      std::clamp(step, static_cast<double>(low_ - 1), static_cast<double>(high_ + 1)));
 }
 
 std::int64_t ZSteps::last(double z) const {
-  return static_cast<std::int64_t>(std::floor(z * one_));
+  const double step = std::floor((z - origin_) * one_);
+  return static_cast<std::int64_t>(
+      std::clamp(step, static_cast<double>(low_ - 1), static_cast<double>(high_ + 1)));
 }
 
 int least_form_bits(traces::fb::DepthFormat depth, unsigned width, unsigned height) {
-  const auto steps = static_cast<std::uint64_t>(ZSteps(depth).one());
+  const ZSteps z(depth);
+  const auto steps = static_cast<std::uint64_t>(z.high() - z.low());
   return static_cast<int>(1 + std::bit_width(steps) + std::bit_width(std::max(width, height)));
 }
 
@@ -54,11 +76,13 @@ void require_form_bits(int form_bits, traces::fb::DepthFormat depth, unsigned wi
                    fmt::format("{} or more", least));
 }
 
-int common_exponent(std::span<const LinearForm> forms, int form_bits) {
+int common_exponent(std::span<const LinearForm> forms, const ZSteps& steps, int form_bits) {
+  const double span = static_cast<double>(steps.high() - steps.low()) / steps.one();
   double bound = 0.0;
   for (const LinearForm& form : forms) {
-    bound = std::max(bound, kFrame * (std::fabs(form.a) + std::fabs(form.b)) + std::fabs(form.c) +
-                                std::fabs(form.d));
+    bound =
+        std::max(bound, kFrame * (std::fabs(form.a) + std::fabs(form.b)) +
+                            std::fabs(form.c) * span + std::fabs(form.d + form.c * steps.origin()));
   }
   if (bound == 0.0) return kNoExponent;
   int exponent = 0;
@@ -69,11 +93,11 @@ int common_exponent(std::span<const LinearForm> forms, int form_bits) {
 FixedForm quantize(const LinearForm& form, const ZSteps& steps, int exponent) {
   const auto rounded = [exponent](double x) { return std::llrint(std::ldexp(x, -exponent)); };
   return {rounded(form.a / 2.0), rounded(form.b / 2.0), rounded(form.c / steps.one()),
-          rounded(form.d), exponent};
+          rounded(form.d + form.c * steps.origin()), exponent};
 }
 
 FixedForm quantize_alone(const LinearForm& form, const ZSteps& steps, int form_bits) {
-  return quantize(form, steps, common_exponent({&form, 1}, form_bits));
+  return quantize(form, steps, common_exponent({&form, 1}, steps, form_bits));
 }
 
 }  // namespace wedgesim::model::datapath

@@ -19,24 +19,36 @@ constexpr LinearForm combine(const LinearForm& p, double f, const LinearForm& q,
   return {p.a * f + q.a * g, p.b * f + q.b * g, p.c * f + q.c * g, p.d * f + q.d * g};
 }
 
-/// How the datapath sees a stored depth: a whole number of steps. unorm words are taken as they
-/// are; floating-point depths are rounded to 2^-26.
+/// How the datapath sees a stored depth: a whole number of steps, more of them farther away.
+/// unorm words are taken as they are, float32 is rounded to 2^-26. float32_reversed keeps its
+/// precision near the far plane: steps count back from there, and are the 2^26th part of the
+/// greatest stored value of the frame, rounded up to a power of two.
 class ZSteps {
  public:
-  explicit ZSteps(traces::fb::DepthFormat format);
+  /// \param words  the frame's depth; only float32_reversed looks at it (none: up to 1)
+  explicit ZSteps(traces::fb::DepthFormat format, std::span<const std::uint32_t> words = {});
 
-  /// Window depth 1, in steps.
+  /// Steps in a window depth of 1.
   double one() const { return one_; }
-  /// \return  [0, one()]
+  /// The window depth of step 0: 0, or 1 if steps count back from the far plane.
+  double origin() const { return origin_; }
+  /// The steps that a stored depth may be: high() is window depth 1.
+  std::int64_t low() const { return low_; }
+  std::int64_t high() const { return high_; }
+  /// \return  [low(), high()]
   std::int64_t of_word(std::uint32_t word) const;
   /// The first step not below a window depth, and the last not above it: a stored depth is in
-  /// [z_min, z_max] iff its steps are in [first(z_min), last(z_max)] (for unorm depths).
+  /// [z_min, z_max] iff its steps are in [first(z_min), last(z_max)] (for unorm depths). At most
+  /// one beyond low() and high().
   std::int64_t first(double z) const;
   std::int64_t last(double z) const;
 
  private:
   traces::fb::DepthFormat format_;
-  double one_;
+  double one_ = 0.0;
+  double origin_ = 0.0;
+  std::int64_t low_ = 0;
+  std::int64_t high_ = 0;
 };
 
 /// A pixel's centre or a box's corner, as the datapath takes it.
@@ -55,7 +67,8 @@ inline Place place(double x, double y, double z) {
 /// A linear form of the fixed datapath: value = (((a x + b y) + c z) + d) * 2^exponent in integers,
 /// x and y in half pixels, z in steps.
 ///
-/// With B = 2^14 (|a| + |b|) + |c| + |d| per pixel and window depth, the exponent is the least for
+/// With B = 2^14 (|a| + |b|) + |c| Z + |d| per pixel and window depth, Z the depth that the frame's
+/// steps span and d the value at step 0, the exponent is the least for
 /// which B <= 2^(bits - 1 + exponent): no value, no sum on the way to it and no difference of two
 /// values on one exponent overflows `bits + 1` bits, so the order of the sum does not matter.
 /// Hardware keeps the value at the corner of an 8x8 block, adds multiples of a and b, which takes
@@ -82,7 +95,7 @@ void require_form_bits(int form_bits, traces::fb::DepthFormat depth, unsigned wi
                        unsigned height, std::string_view place);
 
 /// The least exponent that all forms fit.
-int common_exponent(std::span<const LinearForm> forms, int form_bits);
+int common_exponent(std::span<const LinearForm> forms, const ZSteps& steps, int form_bits);
 
 /// A form with its coefficients rounded to multiples of 2^exponent, ties to even.
 FixedForm quantize(const LinearForm& form, const ZSteps& steps, int exponent);

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <type_traits>
 
+#include "model/datapath/disc_frame.h"
+
 namespace wedgesim::model::datapath {
 namespace {
 
@@ -52,7 +54,7 @@ RectangleSetup rectangle_setup(const Matrix4& light_from_window, const glm::dvec
   const LinearForm h = matrix_row(light_from_window, 2);
   const LinearForm w = matrix_row(light_from_window, 3);
   const auto fixed = [&](const auto& forms) {
-    const int exponent = common_exponent(forms, formats.form_bits);
+    const int exponent = common_exponent(forms, steps, formats.form_bits);
     std::array<FixedForm, std::tuple_size_v<std::decay_t<decltype(forms)>>> result;
     for (std::size_t i = 0; i < result.size(); ++i) {
       result[i] = quantize(forms[i], steps, exponent);
@@ -75,14 +77,6 @@ RectangleSetup rectangle_setup(const Matrix4& light_from_window, const glm::dvec
           {line[0], line[1], line[2]}};
 }
 
-// From the light's centre to the edge's line, of length 1. A line through the centre is an edge
-// that points at the light: any direction across it will do.
-glm::dvec3 direction_out(const glm::dvec3& out, const glm::dvec3& along) {
-  if (const double length = glm::length(out); length > 0.0) return out / length;
-  const glm::dvec3 axis = std::fabs(along.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  return glm::normalize(glm::cross(along, axis));
-}
-
 DiscSetup disc_setup(const Matrix4& light_from_window, const glm::dvec3& begin,
                      const glm::dvec3& end, const ZSteps& steps, const Formats& formats) {
   const LinearForm w = matrix_row(light_from_window, 3);
@@ -91,12 +85,9 @@ DiscSetup disc_setup(const Matrix4& light_from_window, const glm::dvec3& begin,
         combine(matrix_row(light_from_window, 0), axis.x, matrix_row(light_from_window, 1), axis.y);
     return combine(xy, 1.0, matrix_row(light_from_window, 2), axis.z);
   };
-  const glm::dvec3 l = glm::normalize(end - begin);
-  const glm::dvec3 foot = begin - glm::dot(begin, l) * l;
-  const double distance = glm::length(foot);
-  const glm::dvec3 m = direction_out(foot, l);
-  const LinearForm along = component(l);
-  const LinearForm out = component(m);
+  const DiscFrame frame = disc_frame(begin, end);
+  const LinearForm along = component(frame.along);
+  const LinearForm out = component(frame.out);
   const auto fixed = [&](const LinearForm& form) {
     return quantize_alone(form, steps, formats.form_bits);
   };
@@ -104,15 +95,15 @@ DiscSetup disc_setup(const Matrix4& light_from_window, const glm::dvec3& begin,
   DiscSetup setup;
   setup.along = fixed(along);
   setup.out = fixed(out);
-  setup.normal = fixed(component(glm::cross(l, m)));
+  setup.normal = fixed(component(frame.normal));
   setup.w = fixed(w);
-  setup.beyond = fixed(combine(w, distance, out, -1.0));
+  setup.beyond = fixed(combine(w, frame.distance, out, -1.0));
   for (std::size_t i = 0; i < 2; ++i) {
-    const double at = glm::dot(i == 0 ? begin : end, l);
-    setup.ends[i] = {fixed(combine(w, at, along, -1.0)), fixed(combine(along, distance, out, -at)),
-                     round(at)};
+    const double at = frame.ends[i];
+    setup.ends[i] = {fixed(combine(w, at, along, -1.0)),
+                     fixed(combine(along, frame.distance, out, -at)), round(at)};
   }
-  setup.distance_squared = round(distance * distance);
+  setup.distance_squared = round(frame.distance * frame.distance);
   return setup;
 }
 

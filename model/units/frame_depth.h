@@ -20,7 +20,7 @@ class FrameDepth {
         tiles_x_((width_ + tile - 1) / tile),
         tiles_y_((height_ + tile - 1) / tile),
         tiles_(static_cast<std::size_t>(tiles_x_) * static_cast<std::size_t>(tiles_y_)) {
-    const datapath::ZSteps steps(trace.header.depth_format);
+    const datapath::ZSteps steps(trace.header.depth_format, trace.depth);
     z_.resize(trace.depth.size());
     std::transform(
         trace.depth.begin(), trace.depth.end(), z_.begin(),

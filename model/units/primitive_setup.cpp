@@ -50,7 +50,10 @@ PixelBox SetupPrimitive::bounds() const {
 
 PrimitiveSetup::PrimitiveSetup(const traces::TraceView& trace, bool z_fail,
                                const datapath::Formats& formats)
-    : trace_(trace), z_fail_(z_fail), formats_(formats), steps_(trace.header.depth_format) {}
+    : trace_(trace),
+      z_fail_(z_fail),
+      formats_(formats),
+      steps_(trace.header.depth_format, trace.depth) {}
 
 // No edges: the polygon has no area and covers nothing.
 template <typename Polygon>
@@ -118,6 +121,9 @@ SetupPrimitive PrimitiveSetup::penumbra(std::uint32_t index) const {
     primitive.faces.push_back(
         {std::move(outline), plane(face.plane()), span(face.z_min(), face.z_max())});
   }
+  // With the eye inside it, a wedge reaches nearer than any of its faces.
+  box.low.z = std::min(box.low.z, steps_.last(wedge.z_min()));
+  box.high.z = std::max(box.high.z, steps_.first(wedge.z_max()));
   primitive.vertices = box;
   primitive.light = datapath::light_setup(trace_, wedge, steps_, formats_);
   primitive.inner = plane(wedge.umbra_plane());

@@ -63,8 +63,8 @@ RectangleTerms rectangle_at(const glm::dvec3& p, const glm::dvec3& begin, const 
 SphereTerms sphere_at(const glm::dvec3& p, double w, const glm::dvec3& begin,
                       const glm::dvec3& end) {
   const auto constant = [](double d) { return Row{0, 0, 0, d}; };
-  return {constant(w * p.x), constant(w * p.y),     constant(w * p.z), constant(w), begin,
-          end - begin,       glm::cross(begin, end)};
+  return sphere_terms({constant(w * p.x), constant(w * p.y), constant(w * p.z), constant(w)}, begin,
+                      end);
 }
 
 // The part of a polygon on one side of the line through p with normal n.
@@ -205,6 +205,23 @@ TEST(SphereCoverage, LooksOnlyTowardsTheLight) {
   EXPECT_EQ(coverage(sphere_at({0, 0, 0.5}, 1, {-2, 0.1, 0.4}, {2, 0.1, 0.4}), 0, 0, 0), 0.0);
 }
 
+// Does an edge keep its digits whose ends are far apart, or which is far from a small light? By
+// halves: the coverages of its two parts add up to its own.
+TEST(SphereCoverage, KeepsItsDigitsOnLongEdges) {
+  for (const double ratio : {1e2, 1e4, 1e6, 1e8}) {
+    const glm::dvec3 begin(-0.3, 0.2, 1.5);
+    const glm::dvec3 end(ratio, 0.35 * ratio, 1.5 + 0.8 * ratio);
+    const glm::dvec3 p(0.4, -0.1, 6.0);
+    const auto covers = [&](const glm::dvec3& a, const glm::dvec3& b) {
+      return coverage(sphere_at(p, 0.7, a, b), 0, 0, 0);
+    };
+    const glm::dvec3 middle = begin + (1.0 / ratio) * (end - begin);
+    const double whole = covers(begin, end);
+    EXPECT_GT(whole, 0.001) << ratio;
+    EXPECT_NEAR(covers(begin, middle) + covers(middle, end), whole, 1e-9) << ratio;
+  }
+}
+
 // A light, and a wedge under it, whose points in light space are those of a matrix.
 class SinglePrecision : public testing::Test {
  protected:
@@ -295,8 +312,8 @@ TEST_F(SinglePrecision, IsSaturatedAsInAShader) {
   set_matrix(0.5);
   trace_.header.lights[0].shape = traces::fb::LightShape_sphere;
   std::array<double, 16> m{};
-  m[12] = 1e12;
-  m[13] = m[14] = m[15] = 2e12;
+  m[12] = 1e20;
+  m[13] = m[14] = m[15] = 2e20;
   trace_.header.lights[0].light_from_window =
       traces::fb::Matrix4(flatbuffers::span<const double, 16>(m));
   traces::fb::Wedge wedge;

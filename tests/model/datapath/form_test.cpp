@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
 #include <iostream>
 #include <random>
@@ -31,9 +33,30 @@ TEST(ZSteps, KeepUnormWordsAndRoundFloats) {
   const ZSteps steps(DepthFormat::DepthFormat_float32);
   EXPECT_EQ(steps.of_word(traces::encode_depth(DepthFormat::DepthFormat_float32, 1.0)), 1 << 26);
   EXPECT_EQ(steps.of_word(traces::encode_depth(DepthFormat::DepthFormat_float32, 0.25)), 1 << 24);
-  const ZSteps reversed(DepthFormat::DepthFormat_float32_reversed);
-  EXPECT_EQ(reversed.of_word(traces::encode_depth(DepthFormat::DepthFormat_float32_reversed, 0.75)),
-            3 << 24);
+}
+
+// Does a reversed depth keep its precision however near the far plane the frame lies?
+TEST(ZSteps, OfReversedDepthsCountBackFromTheFarPlane) {
+  const auto format = DepthFormat::DepthFormat_float32_reversed;
+  const auto word = [](float stored) { return std::bit_cast<std::uint32_t>(stored); };
+  const ZSteps wide(format);
+  EXPECT_EQ(wide.of_word(traces::encode_depth(format, 0.75)), -(1 << 24));
+  EXPECT_EQ(wide.of_word(traces::sky_word(format)), wide.high());
+  EXPECT_EQ(wide.of_word(word(1.0F)), wide.low());
+  const std::array<std::uint32_t, 3> words{word(0.0F), word(0x1.8p-30F), word(0x1p-31F)};
+  const ZSteps narrow(format, words);
+  EXPECT_EQ(narrow.one(), 0x1p55);
+  EXPECT_EQ(narrow.of_word(words[1]), -(3 << 24));
+  EXPECT_EQ(narrow.of_word(words[2]), -(1 << 24));
+  EXPECT_EQ(narrow.first(1.0 - 0x1p-31), -(1 << 24));
+  EXPECT_EQ(narrow.first(0.0), narrow.low() - 1);
+  EXPECT_EQ(narrow.last(1.0), 0);
+  // The same value at the same depth, whatever counts it.
+  const LinearForm form{0.25, -0.5, 0x3p30, 1.0 - 0x3p30};
+  const FixedForm fixed = quantize_alone(form, narrow, 58);
+  const Place at = place(2.5, 1.5, static_cast<double>(narrow.of_word(words[1])));
+  EXPECT_NEAR(std::ldexp(static_cast<double>(fixed.at(at)), fixed.exponent),
+              0.25 * 2.5 - 0.5 * 1.5 + 1.0 - 3.0 * 1.5, 1e-9);
 }
 
 // One step of depth, and one pixel, changes the steepest form: with a bit less it does not.
@@ -118,15 +141,15 @@ TEST(FixedForm, IsWithinItsStatedError) {
 TEST(FixedForm, OneExponentMakesDifferencesExact) {
   const ZSteps steps(DepthFormat::DepthFormat_unorm24);
   const LinearForm forms[] = {{1.0, 2.0, 3e6, 4.0}, {1e-9, 0.0, 1.0, -1.0}};
-  const int exponent = common_exponent(forms, 62);
+  const int exponent = common_exponent(forms, steps, 62);
   const FixedForm large = quantize(forms[0], steps, exponent);
   const FixedForm small = quantize(forms[1], steps, exponent);
   EXPECT_EQ(large.exponent, small.exponent);
   const LinearForm sum = combine(forms[0], 1.0, forms[1], 1.0);
   const FixedForm added = quantize(sum, steps, exponent);
   EXPECT_NEAR(static_cast<double>(added.c - large.c - small.c), 0.0, 1.0);
-  EXPECT_EQ(common_exponent(std::array{LinearForm{}}, 62),
-            common_exponent(std::array{LinearForm{}}, 24));
+  EXPECT_EQ(common_exponent(std::array{LinearForm{}}, steps, 62),
+            common_exponent(std::array{LinearForm{}}, steps, 24));
 }
 
 TEST(FixedPlane, PutsAPointOnASharedPlaneInExactlyOneOfItsSides) {
