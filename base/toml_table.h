@@ -18,9 +18,9 @@ struct Range {
   double low = -kLargest;
   double high = kLargest;
 
-  static constexpr double kLargest = 1e6;
+  static constexpr double kLargest = 1e12;
   /// Above zero: the smallest size that still has an inverse worth the name.
-  static constexpr Range size() { return {1e-6, kLargest}; }
+  static constexpr Range size() { return {1e-12, kLargest}; }
 };
 
 /// One table of a TOML file, read key by key. Knows what was asked for, so that

@@ -77,8 +77,8 @@ TEST_F(Trace, BadOptionsAreRefusedAndNothingIsWritten) {
   const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> bad{
       {{"--kind", "round"}, {"--kind", "round", "coverage, linear"}},
       {{"--depth", "unorm8"}, {"--depth", "unorm8", "unorm24"}},
-      {{"--length", "0"}, {"--length", "a number from 1e-06 to 1e+06"}},
-      {{"--length", "1e308"}, {"--length", "'1e308'", "a number from 1e-06 to 1e+06"}},
+      {{"--length", "0"}, {"--length", "a number from 1e-12 to 1e+12"}},
+      {{"--length", "1e308"}, {"--length", "'1e308'", "a number from 1e-12 to 1e+12"}},
       {{"--length", "1e999"}, {"--length", "'1e999'"}},
       {{"--length", "-3"}, {"--length", "-3"}},
       {{"--length", "nan"}, {"--length", "nan"}},
