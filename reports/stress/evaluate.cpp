@@ -12,6 +12,10 @@ namespace {
 
 using model::Primitive;
 
+// Of a plane made in double precision from a scene, and of its value: half units in the last place
+// of its largest term.
+constexpr double kRoundings = 16.0;
+
 // A contribution may leave [0, 1] by its own rounding.
 constexpr double kRounding = 1e-4;
 
@@ -44,18 +48,29 @@ class Walk {
   }
 
   Evaluation run() {
-    for (std::uint32_t w = 0; w < trace_.wedges.size(); ++w) {
-      const Primitive primitive = model::wedge_primitive(operands_, method_, w);
-      add_polygon(primitive);
-      add_wedge(primitive);
+    const auto count = static_cast<std::uint32_t>(trace_.wedges.size());
+    for (std::uint32_t w = 0; w < count; ++w) {
+      add_part(w, model::wedge_primitive(operands_, method_, w));
     }
     for (const std::uint32_t i : model::lone_polygons(trace_, method_)) {
-      add_polygon(model::lone_primitive(operands_, method_, i));
+      add_part(count + i, model::lone_primitive(operands_, method_, i));
     }
     return std::move(result_);
   }
 
  private:
+  void add_part(std::uint32_t number, const Primitive& primitive) {
+    const std::vector<std::int64_t> before = result_.sums;
+    add_polygon(primitive);
+    if (primitive.wedge) add_wedge(primitive);
+    Evaluation::Part part{number, {}, is_uncertain(primitive)};
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const std::int64_t change = result_.sums[i] - before[i];
+      if (change != 0) part.shares.push_back({i, static_cast<double>(change) / datapath_.one()});
+    }
+    result_.parts.push_back(std::move(part));
+  }
+
   void add_polygon(const Primitive& primitive) {
     if (!primitive.polygon) return;
     const model::RasterUmbra& umbra = *primitive.polygon;
@@ -114,6 +129,32 @@ class Walk {
     result_.sums[p.index] += wedge.coverage && !is_inner(wedge, p) ? -word : word;
   }
 
+  // LI jumps across an umbra polygon's plane, and across those of a `linear` wedge.
+  bool is_uncertain(const Primitive& primitive) const {
+    const model::RasterUmbra* umbra = primitive.polygon ? &*primitive.polygon : nullptr;
+    if (datapath_.kind != model::DatapathKind::exact) return false;  // its planes are others
+    if (umbra != nullptr && umbra->cap) return false;
+    const bool linear = primitive.wedge && !primitive.coverage;
+    return std::any_of(pixels_.begin(), pixels_.end(), [&](const Pixel& p) {
+      const bool here = (umbra != nullptr && umbra->outline.covers(p.x, p.y)) ||
+                        (primitive.wedge && covers(primitive, p.x, p.y));
+      if (!here) return false;
+      if (may_err(primitive.wedge ? primitive.inner : umbra->inner, p)) return true;
+      return linear && std::any_of(primitive.planes.begin(), primitive.planes.end(),
+                                   [&](const model::Plane& plane) { return may_err(plane, p); });
+    });
+  }
+
+  // Whether a plane's value at a pixel is within what rounding in double precision explains.
+  bool may_err(const model::Plane& plane, const Pixel& p) const {
+    const double size = std::fabs(plane.a) * trace_.header.width +
+                        std::fabs(plane.b) * trace_.header.height + std::fabs(plane.c) +
+                        std::fabs(plane.d);
+    const double value =
+        ((plane.a * p.centre_x() + plane.b * p.centre_y()) + plane.c * p.window_z) + plane.d;
+    return std::fabs(value) <= kRoundings * 0x1p-53 * size;
+  }
+
   bool is_inner(const Primitive& wedge, const Pixel& p) const {
     if (wedge.polygon && wedge.polygon->outline.covers(p.x, p.y)) {
       return model::is_inner(*wedge.polygon, true, p.centre_x(), p.centre_y(), p.z);
@@ -138,21 +179,28 @@ Evaluation evaluate(const traces::TraceView& trace, model::ZMethod method,
 
 std::vector<std::vector<std::uint32_t>> wedges_at(const traces::TraceView& trace,
                                                   const std::vector<std::size_t>& pixels) {
-  std::vector<std::vector<std::uint32_t>> wedges(pixels.size());
+  std::vector<std::vector<std::uint32_t>> found(pixels.size());
+  if (pixels.empty()) return found;
   const model::Operands operands(trace);
-  for (std::uint32_t w = 0; w < trace.wedges.size() && !pixels.empty(); ++w) {
+  const auto add = [&](const Primitive& primitive, std::uint32_t number) {
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const auto x = static_cast<int>(pixels[i] % trace.header.width);
+      const auto y = static_cast<int>(pixels[i] / trace.header.width);
+      const bool here =
+          covers(primitive, x, y) || (primitive.polygon && primitive.polygon->outline.covers(x, y));
+      if (here && (found[i].empty() || found[i].back() != number)) found[i].push_back(number);
+    }
+  };
+  const auto count = static_cast<std::uint32_t>(trace.wedges.size());
+  for (std::uint32_t w = 0; w < count; ++w) {
     for (const model::ZMethod method : {model::ZMethod::pass, model::ZMethod::fail}) {
-      const Primitive primitive = model::wedge_primitive(operands, method, w);
-      for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const auto x = static_cast<int>(pixels[i] % trace.header.width);
-        const auto y = static_cast<int>(pixels[i] / trace.header.width);
-        const bool here = covers(primitive, x, y) ||
-                          (primitive.polygon && primitive.polygon->outline.covers(x, y));
-        if (here && (wedges[i].empty() || wedges[i].back() != w)) wedges[i].push_back(w);
-      }
+      add(model::wedge_primitive(operands, method, w), w);
     }
   }
-  return wedges;
+  for (const std::uint32_t i : model::lone_polygons(trace, model::ZMethod::fail)) {
+    add(model::lone_primitive(operands, model::ZMethod::fail, i), count + i);
+  }
+  return found;
 }
 
 }  // namespace wedgesim::reports::stress

@@ -20,12 +20,26 @@ struct Evaluation {
   std::uint64_t saturated = 0;               // contributions outside [0, 1], by more than rounding
   std::uint64_t visits = 0;                  // pixels inside wedges: contributions evaluated
   double seconds = 0.0;                      // of one thread, for `visits` contributions alone
+  /// What one primitive does at one pixel, units of full light.
+  struct Share {
+    std::size_t pixel = 0;
+    double li = 0.0;
+    bool operator==(const Share&) const = default;
+  };
+  struct Part {
+    std::uint32_t number = 0;   // of the primitive, as in wedges_at
+    std::vector<Share> shares;  // by pixel; not where it does nothing
+    /// It meets a pixel where rounding may decide a plane that LI jumps across.
+    bool uncertain = false;
+  };
+  std::vector<Part> parts;  // of all primitives, the wedges first
 };
 
 Evaluation evaluate(const traces::TraceView& trace, model::ZMethod method,
                     const model::Datapath& datapath);
 
-/// The wedges that each of some pixels belongs to: a face or the umbra polygon covers it.
+/// The primitives that each of some pixels belongs to: a face or the umbra polygon covers it. A
+/// wedge is its index in the trace, a lone umbra polygon its own plus the number of wedges.
 /// \param pixels  indices into the frame, row-major
 std::vector<std::vector<std::uint32_t>> wedges_at(const traces::TraceView& trace,
                                                   const std::vector<std::size_t>& pixels);

@@ -20,6 +20,7 @@ using functional::Frame;
 
 constexpr double kQuiet = 1.0 / 255.0;
 constexpr std::size_t kJumps = 24;  // pixels at which LI's step across a plane is looked at
+constexpr std::size_t kMostForJumps = 5000;  // wedges; with more it would cost more than all else
 
 // The judge's LI of the pixels of a frame that show a surface.
 class Judged {
@@ -121,6 +122,9 @@ class Measuring {
     evaluate_datapath(Arithmetic::fixed);
     evaluate_datapath(Arithmetic::float32);
     li_[index(Arithmetic::renderer)] = frame_.trace.expected_li;
+    // It computes in double, too.
+    result_.flagged[index(Arithmetic::renderer)] =
+        result_.flagged[index(Arithmetic::double_precision)];
     refine();
     for (const Arithmetic arithmetic : kArithmetics) compare(arithmetic);
     measure_jumps();
@@ -140,14 +144,14 @@ class Measuring {
 
   double condition() const {
     double worst = 1.0;
-    const glm::dvec3& c = case_.scene.light.centre;
+    const glm::dvec3 centre = case_.scene.light.centre - frame_.origin;
+    const auto size = [&](const glm::dvec3& p) { return glm::length(p + frame_.origin); };
     for (const functional::ShadowWedge& wedge : frame_.geometry.wedges) {
-      const double size =
-          std::max({glm::length(wedge.begin), glm::length(wedge.end), glm::length(c)});
-      const glm::dvec3 a = wedge.begin - c;
-      const glm::dvec3 b = wedge.end - c;
+      const glm::dvec3 a = wedge.begin - centre;
+      const glm::dvec3 b = wedge.end - centre;
+      const double largest = std::max({size(wedge.begin), size(wedge.end), size(centre)});
       const double area = glm::length(glm::cross(a, b));
-      worst = std::max(worst, size * (glm::length(a) + glm::length(b)) / area);
+      worst = std::max(worst, largest * (glm::length(a) + glm::length(b)) / area);
     }
     return worst;
   }
@@ -167,9 +171,8 @@ class Measuring {
       errors.overflowed += datapath.li_holds(sum) ? 0 : 1;
     li_[index(arithmetic)] = li_of(evaluation.sums, datapath);
     check_configurations(datapath, evaluation.sums);
-    if (arithmetic == Arithmetic::double_precision) {
-      contributions_ = std::move(evaluation.contributions);
-    }
+    if (arithmetic == Arithmetic::double_precision) exact_ = evaluation;
+    result_.flagged[index(arithmetic)] = flag(view, datapath, evaluation, exact_);
   }
 
   void check_configurations(const model::Datapath& datapath,
@@ -226,13 +229,13 @@ class Measuring {
       errors.off += error > 1.0 / 255.0 ? 1 : 0;
       if (!(error <= tolerance_of(arithmetic) + sensitivity)) beyond.push_back(pixel);
       half_off[pixel] = error > 0.5 + sensitivity;
-      if (contributions_[pixel] == 0 && error > 0.0 && sensitivity == 0.0 &&
+      if (exact_.contributions[pixel] == 0 && error > 0.0 && sensitivity == 0.0 &&
           std::fabs(judged_.li(k) - std::nearbyint(judged_.li(k))) < 1e-12) {
         errors.leaks += std::fabs(li[pixel] - std::nearbyint(judged_.li(k))) > 0.0 ? 1 : 0;
       }
       if (sensitivity <= kQuiet) {
         all.add(error);
-        if (contributions_[pixel] > 0) penumbra.add(error);
+        if (exact_.contributions[pixel] > 0) penumbra.add(error);
       }
     }
     errors.beyond = beyond.size();
@@ -252,8 +255,7 @@ class Measuring {
     const std::vector<Flagged>& flagged = result_.flagged[index(arithmetic)];
     for (const auto& at_pixel : wedges) {
       const bool found = std::any_of(at_pixel.begin(), at_pixel.end(), [&](std::uint32_t w) {
-        return std::any_of(flagged.begin(), flagged.end(),
-                           [w](const Flagged& flag) { return flag.wedge == w; });
+        return std::ranges::binary_search(flagged, w, {}, &Flagged::wedge);
       });
       result_.errors[index(arithmetic)].unflagged += found ? 0 : 1;
     }
@@ -262,13 +264,17 @@ class Measuring {
   // Puts stored depths on either side of a plane of a wedge, another at each pixel, and compares
   // how LI steps from one to the other.
   void measure_jumps() {
+    if (frame_.trace.wedges.size() > kMostForJumps) return;
     const traces::TraceView view = frame_.trace.view();
     const std::size_t stride = 1 + judged_.pixels().size() / kJumps;
     std::vector<std::size_t> pixels;
     for (std::size_t k = 0; k < judged_.pixels().size(); k += stride) {
       pixels.push_back(judged_.pixels()[k]);
     }
-    const auto wedges = wedges_at(view, pixels);
+    auto wedges = wedges_at(view, pixels);
+    for (auto& at_pixel : wedges) {
+      std::erase_if(at_pixel, [&](std::uint32_t number) { return number >= view.wedges.size(); });
+    }
     std::array<Frame, 2> sides{frame_, frame_};
     std::vector<std::size_t> moved;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -323,7 +329,7 @@ class Measuring {
   Frame frame_;
   Judged judged_;
   std::array<std::vector<double>, kArithmetics.size()> li_;  // (height, width)
-  std::vector<std::uint32_t> contributions_;                 // of the exact datapath
+  Evaluation exact_;
 };
 
 }  // namespace

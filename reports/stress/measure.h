@@ -10,6 +10,7 @@
 #include "functional/methods/frame.h"
 #include "model/count/config.h"
 #include "reports/stress/family.h"
+#include "reports/stress/flag.h"
 
 namespace wedgesim::reports::stress {
 
@@ -49,12 +50,6 @@ struct Errors {
   double seconds = 0.0;         // of one thread
   std::vector<double> li;       // (height, width), for pictures
   bool holds = false;           // the bar
-};
-
-/// A wedge that an arithmetic cannot do right, by what its setup says.
-struct Flagged {
-  std::uint32_t wedge = 0;
-  std::string reason;
 };
 
 struct Measurement {

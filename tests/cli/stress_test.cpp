@@ -34,21 +34,21 @@ TEST_F(Stress, ReplayWritesPictureAndTrace) {
 }
 
 TEST_F(Stress, ReplayShowsWhatIsWrong) {
-  // Far from what single precision can hold.
-  const Outcome bad = stress({"--replay", "distance-ratio,1,1e8"});
+  // Far from what the fixed datapath can hold.
+  const Outcome bad = stress({"--replay", "distance-ratio,0,1e8"});
   EXPECT_TRUE(has(bad, "does not hold")) << bad.out;
   EXPECT_TRUE(has(bad, "worst pixels")) << bad.out;
 }
 
 TEST_F(Stress, ShrinkNamesTheEdges) {
-  const std::vector<std::string> options{"--replay", "distance-ratio,1,1e8", "--shrink",
+  const std::vector<std::string> options{"--replay", "distance-ratio,0,1e8", "--shrink",
                                          "--arithmetic"};
   const auto shrink = [&](const std::string& arithmetic) {
     std::vector<std::string> all = options;
     all.push_back(arithmetic);
     return stress(all);
   };
-  const Outcome bad = shrink("float32");
+  const Outcome bad = shrink("fixed");
   EXPECT_TRUE(has(bad, " edges and polygons alone pass the bar")) << bad.out;
   EXPECT_TRUE(has(bad, ") to (")) << bad.out;
   EXPECT_TRUE(has(shrink("renderer"), "nothing to shrink"));

@@ -90,7 +90,8 @@ std::vector<Family> light_families() {
        "",
        decades(0, -9, {0.0, -0.5, -3.0}),
        {-3.0, -3.0},
-       touching_light},
+       touching_light,
+       true},
   };
 }
 

@@ -47,12 +47,12 @@ TEST(FrameParts, SharesAddUpToTheWhole) {
 }
 
 TEST(Shrink, KeepsTheFewestEdgesThatPassTheBar) {
-  const Case made = parse_case("name", "distance-ratio,1,1e8").make();
+  const Case made = parse_case("name", "distance-ratio,0,1e8").make();
   const Measurement measurement = measure(made);
-  const auto shrunk = shrink(made, measurement, Arithmetic::float32);
+  const auto shrunk = shrink(made, measurement, Arithmetic::fixed);
   ASSERT_TRUE(shrunk.has_value());
   const std::size_t pixel = static_cast<std::size_t>(shrunk->y * measurement.width + shrunk->x);
-  EXPECT_EQ(worst_pixels(measurement, Arithmetic::float32, 1).front(), pixel);
+  EXPECT_EQ(worst_pixels(measurement, Arithmetic::fixed, 1).front(), pixel);
   ASSERT_FALSE(shrunk->culprits.empty());
   EXPECT_LE(shrunk->culprits.size(), shrunk->parts);
   double sum = 0.0;
@@ -60,14 +60,14 @@ TEST(Shrink, KeepsTheFewestEdgesThatPassTheBar) {
   for (const Culprit& culprit : shrunk->culprits) {
     EXPECT_LE(std::abs(culprit.error()), before);
     before = std::abs(culprit.error());
-    EXPECT_LE(std::abs(sum), tolerance_of(Arithmetic::float32) + shrunk->sensitivity);
+    EXPECT_LE(std::abs(sum), tolerance_of(Arithmetic::fixed) + shrunk->sensitivity);
     sum += culprit.error();
     ASSERT_TRUE(culprit.has_edge);
     const auto& corners = made.scene.objects[1].mesh.positions;
     EXPECT_EQ(std::ranges::count(corners, culprit.begin), 1);
     EXPECT_EQ(std::ranges::count(corners, culprit.end), 1);
   }
-  EXPECT_GT(std::abs(sum), tolerance_of(Arithmetic::float32) + shrunk->sensitivity);
+  EXPECT_GT(std::abs(sum), tolerance_of(Arithmetic::fixed) + shrunk->sensitivity);
   EXPECT_EQ(std::signbit(sum), std::signbit(shrunk->li - shrunk->judge));
 }
 
