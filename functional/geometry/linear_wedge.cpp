@@ -15,6 +15,9 @@ namespace {
 constexpr double kPointsAtLight = 1e-3;
 // Side directions this far from the way of the light are replaced by a simpler construction.
 constexpr double kLeastForward = 0.2;
+// So are those that reach the end plane this many times farther away than a ray of the penumbra,
+// or never: its inverse.
+constexpr double kLeastReach = 0.01;
 // How far a wedge whose sides diverge may go, in diagonals of all that receives.
 constexpr double kLidRadius = 4.0;
 
@@ -88,7 +91,7 @@ glm::dvec3 meeting(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec3& a
   if (glm::dot(direction, away) < 0.0) direction = -direction;
   const glm::dvec3 down = -glm::dvec3(end_plane.plane);
   const bool leads = glm::dot(direction, away) >= kLeastForward &&
-                     glm::dot(direction, down) >= kLeastForward * glm::dot(ray, down);
+                     glm::dot(direction, down) >= kLeastReach * glm::dot(ray, down);
   return leads ? direction : ray;
 }
 

@@ -114,7 +114,8 @@ double sphere_coverage(const glm::dvec3& point, const glm::dvec3& begin, const g
   const Across across(axis);
   const auto in_cone = [&](const glm::dvec3& e) {
     const glm::dvec3 d = e - point;
-    return glm::dvec3(glm::dot(d, across.u), glm::dot(d, across.v), tan_half * glm::dot(d, axis));
+    // The point itself is on the axis: it adds nothing across but its rounding.
+    return glm::dvec3(glm::dot(e, across.u), glm::dot(e, across.v), tan_half * glm::dot(d, axis));
   };
   const glm::dvec3 a = in_cone(begin);
   const glm::dvec3 b = in_cone(end);

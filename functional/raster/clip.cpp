@@ -11,24 +11,39 @@
 namespace wedgesim::functional {
 namespace {
 
-// A side of what is clipped to: inside iff dot(plane, homogeneous window point) >= offset.
+// A side of what is clipped to: a coordinate of the window, or the distance, has a limit.
 struct ClipPlane {
-  glm::dvec4 plane;
+  glm::dvec4 plane;  // inside iff dot(plane, homogeneous window point) >= offset
   double offset = 0.0;
-  bool near = false;
+  int axis = 0;        // of the coordinate that the cut is at
+  double limit = 0.0;  // there
 
   double distance(const glm::dvec4& p) const {
     return (plane.x * p.x + plane.y * p.y + plane.z * p.z + plane.w * p.w) - offset;
   }
 };
+constexpr int kDistance = 3;
 
 // The near plane by w, the distance: z is the difference of two large terms where near is small.
 std::array<ClipPlane, 5> clip_planes(double near) {
-  return {ClipPlane{glm::dvec4(0, 0, 0, 1), near, true},
-          {glm::dvec4(1, 0, 0, -kGuardLow)},
-          {glm::dvec4(-1, 0, 0, kGuardHigh)},
-          {glm::dvec4(0, 1, 0, -kGuardLow)},
-          {glm::dvec4(0, -1, 0, kGuardHigh)}};
+  return {ClipPlane{glm::dvec4(0, 0, 0, 1), near, kDistance, near},
+          {glm::dvec4(1, 0, 0, -kGuardLow), 0.0, 0, kGuardLow},
+          {glm::dvec4(-1, 0, 0, kGuardHigh), 0.0, 0, kGuardHigh},
+          {glm::dvec4(0, 1, 0, -kGuardLow), 0.0, 1, kGuardLow},
+          {glm::dvec4(0, -1, 0, kGuardHigh), 0.0, 1, kGuardHigh}};
+}
+
+// Between two points whose w differ by more than their digits rounding would leave nothing of the
+// smaller one: what is known of the cut is set.
+void make_exact(const ClipPlane& plane, const glm::dvec4& in, const glm::dvec4& out,
+                glm::dvec4& cut) {
+  if (plane.axis == kDistance) {
+    cut.z = 0.0;
+    cut.w = plane.limit;
+    return;
+  }
+  cut.w = std::max(cut.w, std::min(in.w, out.w));
+  cut[plane.axis] = plane.limit * cut.w;
 }
 
 void clip(const ClipPlane& plane, std::vector<glm::dvec4>& polygon,
@@ -48,10 +63,7 @@ void clip(const ClipPlane& plane, std::vector<glm::dvec4>& polygon,
       const double d_in = leaving ? d_from : d_to;
       const double d_out = leaving ? d_to : d_from;
       glm::dvec4 cut = in + (d_in / (d_in - d_out)) * (out - in);
-      if (plane.near) {  // what rounding would leave of them may be nothing
-        cut.z = 0.0;
-        cut.w = plane.offset;
-      }
+      make_exact(plane, in, out, cut);
       scratch.push_back(cut);
     }
   }

@@ -1,6 +1,7 @@
 #include "reports/stress/flag.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 
@@ -17,6 +18,14 @@ bool rounds_too_often(std::uint32_t contributions, const model::Datapath& datapa
 
 // A primitive's error at a pixel from here on counts: several may add up to the tolerance.
 constexpr double kVisible = 0.125 / 255.0;
+
+// A reversed depth w has 24 bits however small it is, but 1 - w in double has none beyond 2^-53:
+// below w = 2^-26 its rounding is more than 1/8 step of w.
+bool is_finer_than_double(const traces::TraceView& trace, std::size_t pixel) {
+  if (trace.header.depth_format != traces::fb::DepthFormat_float32_reversed) return false;
+  const auto stored = std::bit_cast<float>(trace.depth[pixel]);
+  return stored > 0.0F && stored < 0x1p-26F;
+}
 
 bool differ(const Evaluation::Part& part, const Evaluation::Part& exact) {
   auto other = exact.shares.begin();
@@ -71,6 +80,17 @@ std::vector<Flagged> flag(const traces::TraceView& trace, const model::Datapath&
         return std::fabs(error) > 0.5 * datapath.tolerance();
       },
       "its pixel's sum differs visibly from double precision");
+  add_at([&](std::size_t i) { return is_finer_than_double(trace, i); },
+         "a pixel's stored depth is finer than its window depth in double precision");
+  if (datapath.kind == model::DatapathKind::exact && !trace.expected_li.empty()) {
+    add_at(
+        [&](std::size_t i) {
+          const double sensitivity = trace.li_sensitivity.empty() ? 0.0 : trace.li_sensitivity[i];
+          const double error = li(evaluation, i, exact_one) - trace.expected_li[i];
+          return std::fabs(error) > 0.5 * datapath.tolerance() + sensitivity;
+        },
+        "the block and the renderer differ at a pixel");
+  }
   std::vector<Flagged> flagged;
   for (const auto& [number, reason] : reasons) flagged.push_back({number, std::string(reason)});
   return flagged;

@@ -18,7 +18,10 @@ struct Flagged {
 
 /// What can be known to be doubtful without a judge:
 /// - its constants lose what a pixel shows (model/count/wedge_check.h);
-/// - the exact datapath: a plane that LI jumps across passes a pixel by less than its rounding;
+/// - the exact datapath: a plane that LI jumps across passes a pixel by less than its rounding, or
+/// a
+///   pixel differs from the trace's expected LI;
+/// - a pixel's reversed depth is finer than double precision holds it;
 /// - the others: at a pixel it gives, or all together give, what differs visibly from what the
 ///   exact datapath gives;
 /// - a pixel's LI leaves its word, or takes so many contributions that their roundings may add up
