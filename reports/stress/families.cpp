@@ -10,7 +10,7 @@ std::span<const Family> families() {
     std::vector<Family> result;
     for (const auto& group :
          {edge_families, light_families, receiver_families, depth_range_families,
-          placement_families, eye_families, count_families, raster_families}) {
+          placement_families, eye_families, count_families, raster_families, found_families}) {
       std::ranges::move(group(), std::back_inserter(result));
     }
     return result;

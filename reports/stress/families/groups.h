@@ -15,5 +15,7 @@ std::vector<Family> placement_families();
 std::vector<Family> eye_families();
 std::vector<Family> count_families();
 std::vector<Family> raster_families();
+/// Frames that the random search has found failing.
+std::vector<Family> found_families();
 
 }  // namespace wedgesim::reports::stress
