@@ -4,12 +4,26 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace wedgesim::functional {
 namespace {
 
 // Three bits lost by differences of coordinates do no harm: most scenes stay as they are.
 constexpr double kFar = 8.0;
+// Planes through the light lose as many digits as it is farther from the origin than from a caster.
+constexpr double kFarFromCaster = 1024.0;
+
+double nearest_caster(const Scene& scene, const glm::dvec3& from) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Object& object : scene.objects) {
+    if (!object.casts) continue;
+    for (const glm::dvec3& p : object.mesh.positions) {
+      nearest = std::min(nearest, glm::distance(p, from));
+    }
+  }
+  return nearest;
+}
 
 }  // namespace
 
@@ -24,8 +38,13 @@ glm::dvec3 best_origin(const Scene& scene) {
   }
   const glm::dvec3 farthest = glm::max(glm::abs(low), glm::abs(high));
   const double size = glm::length(high - low);
-  const bool far = std::max({farthest.x, farthest.y, farthest.z}) > kFar * size;
-  return far ? scene.camera.eye : glm::dvec3(0.0);
+  const double to_eye = nearest_caster(scene, scene.camera.eye);
+  const double to_light = nearest_caster(scene, scene.light.centre);
+  const bool far = std::max({farthest.x, farthest.y, farthest.z}) > kFar * size ||
+                   glm::length(scene.light.centre) > kFarFromCaster * to_light ||
+                   glm::length(scene.camera.eye) > kFarFromCaster * to_eye;
+  if (!far) return glm::dvec3(0.0);
+  return to_light < to_eye ? scene.light.centre : scene.camera.eye;
 }
 
 Scene taken_from(const Scene& scene, const glm::dvec3& origin) {

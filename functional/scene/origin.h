@@ -6,9 +6,10 @@
 
 namespace wedgesim::functional {
 
-/// The point that a scene's coordinates are best taken from: the eye if all of it is many times its
-/// own size away from the world's origin, so that differences of its coordinates lose digits, else
-/// the world's origin.
+/// The point that a scene's coordinates are best taken from: the world's origin, unless differences
+/// of coordinates would lose digits from there, because the scene is many times its own size away
+/// from it, or the light or the eye a thousand times farther than from a caster. Then the light's
+/// centre or the eye, whichever is nearer to a caster.
 glm::dvec3 best_origin(const Scene& scene);
 
 /// The scene with every position taken from another origin; each difference is rounded once, by at

@@ -87,7 +87,7 @@ std::vector<Flagged> flag(const traces::TraceView& trace, const model::Datapath&
         [&](std::size_t i) {
           const double sensitivity = trace.li_sensitivity.empty() ? 0.0 : trace.li_sensitivity[i];
           const double error = li(evaluation, i, exact_one) - trace.expected_li[i];
-          return std::fabs(error) > 0.5 * datapath.tolerance() + sensitivity;
+          return std::fabs(error) > 0.25 * datapath.tolerance() + sensitivity;
         },
         "the block and the renderer differ at a pixel");
   }

@@ -40,5 +40,12 @@ TEST(Origin, OfAFarSceneIsItsEye) {
   EXPECT_EQ(moved.objects[0].mesh.positions, near.objects[0].mesh.positions);
 }
 
+// A caster close to the light keeps its distance from it, however far away the eye is.
+TEST(Origin, OfACasterCloseToTheLightIsTheLight) {
+  Scene far = box_at({1048576.0, 0.0, 0.0});
+  far.light.centre.y = 1.0 + 1.0 / 1024.0;
+  EXPECT_EQ(best_origin(far), far.light.centre);
+}
+
 }  // namespace
 }  // namespace wedgesim::functional
