@@ -29,7 +29,7 @@ namespace {
 namespace stress = reports::stress;
 
 struct Arguments {
-  std::string family, seeds = "3", json, replay, out, arithmetic;
+  std::string family, seeds, json, replay, out, arithmetic;
   bool shrink = false;
 };
 
@@ -59,6 +59,7 @@ std::string shrink(const Arguments& arguments, const stress::Case& made,
 int replay(const Arguments& arguments) {
   refuse_with_replay("--family", !arguments.family.empty());
   refuse_with_replay("--json", !arguments.json.empty());
+  refuse_with_replay("--seeds", !arguments.seeds.empty());
   const stress::CaseName name = stress::parse_case("--replay", arguments.replay);
   if (!arguments.arithmetic.empty()) parse_arithmetic(arguments.arithmetic);
   const std::string png = arguments.out + ".png";
@@ -91,7 +92,9 @@ int run(const Arguments& arguments) {
     options.families = parse_set("--family", arguments.family,
                                  [](std::string_view name) { return std::string(name); });
   }
-  options.seeds = static_cast<std::uint64_t>(parse_integer("--seeds", arguments.seeds, 1, 1000));
+  if (!arguments.seeds.empty()) {
+    options.seeds = static_cast<std::uint64_t>(parse_integer("--seeds", arguments.seeds, 1, 1000));
+  }
   if (!arguments.out.empty()) {
     require_writable(std::filesystem::path(arguments.out) / "stress.html");
   }
@@ -127,9 +130,8 @@ Command add_stress(CLI::App& program) {
   auto arguments = std::make_shared<Arguments>();
   app->add_option("--family", arguments->family, "Families, with their levels; all if not given")
       ->type_name("SET");
-  app->add_option("--seeds", arguments->seeds, "Cases of each family and level, 1 to 1000")
-      ->type_name("N")
-      ->capture_default_str();
+  app->add_option("--seeds", arguments->seeds, "Cases of each family and level, 1 to 1000; 3")
+      ->type_name("N");
   app->add_option("--json", arguments->json, "Write the results as JSON, too")->type_name("FILE");
   app->add_option("--replay", arguments->replay, "Draw one case again: its errors, worst pixels")
       ->type_name("FAMILY,SEED,DIFFICULTY");

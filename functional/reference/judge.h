@@ -21,10 +21,12 @@ namespace wedgesim::functional {
 ///
 /// A value on a plane is one that is less than 2^-175 of its terms. Degenerate edges: see
 /// judge_coverage.h; no input gives a NaN. An edge that hides some of the light from a pixel costs
-/// 10 to 20 microseconds, another a hundredth of that. \param frame       of this scene, by
-/// make_frame \param pixels      indices into the frame's depth, each once; those of the sky mean
-/// nothing \param depth_step  0, or the intensity if the stored z were one step nearer (-1) or
-/// farther (1) \return            one for each of pixels, not clamped, rounded to double
+/// 10 to 20 microseconds, another a hundredth of that.
+///
+/// \param frame       of this scene, by make_frame
+/// \param pixels      indices into the frame's depth, each once; those of the sky mean nothing
+/// \param depth_step  0, or the intensity if the stored z were one step nearer (-1) or farther (1)
+/// \return            one for each of pixels, not clamped, rounded to double
 std::vector<double> judge_light_intensity(const Scene& scene, const Frame& frame,
                                           std::span<const std::size_t> pixels, int depth_step = 0);
 

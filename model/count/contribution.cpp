@@ -266,30 +266,25 @@ template double coverage(const RectangleTerms&, double, double, double);
 template float coverage(const SphereTermsOf<float>&, float, float, float);
 template double coverage(const SphereTerms&, double, double, double);
 
-namespace {
-
-double contribution(const SingleTerms& terms, float x, float y, float z) {
-  float value = 0.0F;
+float unsaturated(const SingleTerms& terms, float x, float y, float z) {
   if (const auto* linear = std::get_if<LinearTermsOf<float>>(&terms)) {
-    value = intensity(*linear, x, y, z);
-  } else if (const auto* sphere = std::get_if<SphereTermsOf<float>>(&terms)) {
-    value = coverage(*sphere, x, y, z);
-  } else {
-    value = coverage(std::get<RectangleTermsOf<float>>(terms), x, y, z);
+    return intensity(*linear, x, y, z);
   }
-  if (!(value > 0.0F)) return 0.0;
-  return value < 1.0F ? static_cast<double>(value) : 1.0;
+  if (const auto* sphere = std::get_if<SphereTermsOf<float>>(&terms)) {
+    return coverage(*sphere, x, y, z);
+  }
+  return coverage(std::get<RectangleTermsOf<float>>(terms), x, y, z);
 }
-
-}  // namespace
 
 double contribution(const LightTerms& terms, double x, double y, double z) {
   if (const auto* fixed = std::get_if<FixedTerms>(&terms)) {
     return datapath::contribution(fixed->setup, datapath::place(x, y, z), fixed->round);
   }
   if (const auto* single = std::get_if<SingleTerms>(&terms)) {
-    return contribution(*single, static_cast<float>(x), static_cast<float>(y),
-                        static_cast<float>(z));
+    const float value =
+        unsaturated(*single, static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+    if (!(value > 0.0F)) return 0.0;
+    return value < 1.0F ? static_cast<double>(value) : 1.0;
   }
   if (const auto* linear = std::get_if<LinearTerms>(&terms)) return intensity(*linear, x, y, z);
   if (const auto* sphere = std::get_if<SphereTerms>(&terms)) return coverage(*sphere, x, y, z);

@@ -95,6 +95,9 @@ template <typename Real>
 Real coverage(const SphereTermsOf<Real>& terms, std::type_identity_t<Real> x,
               std::type_identity_t<Real> y, std::type_identity_t<Real> z);
 
+/// What single precision gives before it is saturated: anything, infinities and NaN included.
+float unsaturated(const SingleTerms& terms, float x, float y, float z);
+
 /// Any of them. In single precision limited to [0, 1], NaN to 0, as shaders saturate: nothing
 /// else keeps what has lost all its bits out of the sums.
 /// \param z  depth, in steps for FixedTerms

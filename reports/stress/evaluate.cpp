@@ -116,13 +116,21 @@ class Walk {
     return inside;
   }
 
+  // Single precision saturates what it gives: what counts is what it had before.
+  static double before_saturation(const Primitive& wedge, const Pixel& p, double value) {
+    const auto* single = std::get_if<model::SingleTerms>(&wedge.terms);
+    if (single == nullptr) return value;
+    return static_cast<double>(model::unsaturated(*single, static_cast<float>(p.centre_x()),
+                                                  static_cast<float>(p.centre_y()),
+                                                  static_cast<float>(p.z)));
+  }
+
   void add_value(const Primitive& wedge, const Pixel& p, double value) {
     result_.contributions[p.index] += 1;
-    if (!std::isfinite(value)) {
-      result_.not_finite += 1;
-      return;
-    }
-    result_.saturated += value < -kRounding || value > 1.0 + kRounding ? 1 : 0;
+    const double before = before_saturation(wedge, p, value);
+    result_.not_finite += std::isfinite(before) ? 0 : 1;
+    result_.saturated += before < -kRounding || before > 1.0 + kRounding ? 1 : 0;
+    if (!std::isfinite(value)) return;
     const bool fixed = datapath_.kind == model::DatapathKind::fixed;
     const std::int64_t word =
         fixed ? datapath_.formats.li.of(value) : model::to_word(value, datapath_.one());

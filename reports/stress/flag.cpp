@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "model/count/wedge_check.h"
 
@@ -46,8 +47,10 @@ bool differ(const Evaluation::Part& part, const Evaluation::Part& exact) {
 std::vector<Flagged> flag(const traces::TraceView& trace, const model::Datapath& datapath,
                           const Evaluation& evaluation, const Evaluation& exact) {
   std::map<std::uint32_t, std::string_view> reasons;
+  std::set<std::uint32_t> by_constants;
   for (const model::WedgeFlag& found : model::flag_wedges(trace, datapath)) {
     reasons.emplace(found.wedge, model::describe(found.reason));
+    by_constants.insert(found.wedge);
   }
   for (std::size_t i = 0; i < evaluation.parts.size(); ++i) {
     const Evaluation::Part& part = evaluation.parts[i];
@@ -66,10 +69,12 @@ std::vector<Flagged> flag(const traces::TraceView& trace, const model::Datapath&
       for (const std::uint32_t number : numbers) reasons.emplace(number, reason);
     }
   };
-  add_at([&](std::size_t i) { return !datapath.li_holds(evaluation.sums[i]); },
-         "LI leaves its word at a pixel");
-  add_at([&](std::size_t i) { return rounds_too_often(evaluation.contributions[i], datapath); },
-         "too many contributions are rounded at a pixel");
+  if (datapath.kind == model::DatapathKind::fixed) {
+    add_at([&](std::size_t i) { return !datapath.li_holds(evaluation.sums[i]); },
+           "LI leaves its word at a pixel");
+    add_at([&](std::size_t i) { return rounds_too_often(evaluation.contributions[i], datapath); },
+           "too many contributions are rounded at a pixel");
+  }
   const auto li = [](const Evaluation& of, std::size_t i, double one) {
     return static_cast<double>(of.sums[i]) / one;
   };
@@ -92,7 +97,9 @@ std::vector<Flagged> flag(const traces::TraceView& trace, const model::Datapath&
         "the block and the renderer differ at a pixel");
   }
   std::vector<Flagged> flagged;
-  for (const auto& [number, reason] : reasons) flagged.push_back({number, std::string(reason)});
+  for (const auto& [number, reason] : reasons) {
+    flagged.push_back({number, std::string(reason), by_constants.contains(number)});
+  }
   return flagged;
 }
 

@@ -14,19 +14,18 @@ namespace wedgesim::reports::stress {
 struct Flagged {
   std::uint32_t wedge = 0;  // or the number of wedges plus the index of a lone umbra polygon
   std::string reason;
+  bool by_constants = false;  // by its constants alone: `count` flags it, too
 };
 
-/// What can be known to be doubtful without a judge:
-/// - its constants lose what a pixel shows (model/count/wedge_check.h);
-/// - the exact datapath: a plane that LI jumps across passes a pixel by less than its rounding, or
-/// a
-///   pixel differs from the trace's expected LI;
-/// - a pixel's reversed depth is finer than double precision holds it;
-/// - the others: at a pixel it gives, or all together give, what differs visibly from what the
-///   exact datapath gives;
-/// - a pixel's LI leaves its word, or takes so many contributions that their roundings may add up
-/// to
-///   more than the tolerance (five standard deviations): all primitives there.
+/// What can be known to be doubtful without a judge: a primitive is flagged
+/// - by its constants (model/count/wedge_check.h);
+/// - exact: if a plane that LI jumps across passes a pixel by less than its rounding, or if a pixel
+///   of it differs from the trace's expected LI;
+/// - not exact: if at a pixel it gives, or all give together, what differs visibly from exact;
+/// - fixed: if LI leaves its word at a pixel of it, or if so many contributions are rounded there
+///   that they may add up to more than the tolerance (five standard deviations);
+/// - if a pixel of it has a reversed depth that is finer than double precision holds it.
+///
 /// \param evaluation  of the same frame and datapath
 /// \param exact       of the same frame and the exact datapath
 /// \return  by number, each once

@@ -25,6 +25,7 @@ Errors worst_of(const std::vector<Measurement>& seeds, Arithmetic arithmetic) {
     worst.saturated += e.saturated;
     worst.overflowed += e.overflowed;
     worst.unflagged += e.unflagged;
+    worst.unforeseen += e.unforeseen;
     worst.visits += e.visits;
     worst.seconds += e.seconds;
     worst.holds = worst.holds && e.holds;

@@ -122,6 +122,9 @@ class Measuring {
     evaluate_datapath(Arithmetic::fixed);
     evaluate_datapath(Arithmetic::float32);
     li_[index(Arithmetic::renderer)] = frame_.trace.expected_li;
+    result_.errors[index(Arithmetic::renderer)].not_finite =
+        static_cast<std::uint64_t>(std::ranges::count_if(
+            frame_.trace.expected_li, [](double li) { return !std::isfinite(li); }));
     // It computes in double, too.
     result_.flagged[index(Arithmetic::renderer)] =
         result_.flagged[index(Arithmetic::double_precision)];
@@ -167,8 +170,10 @@ class Measuring {
     errors.saturated = evaluation.saturated;
     errors.visits = evaluation.visits;
     errors.seconds = evaluation.seconds;
-    for (const std::int64_t sum : evaluation.sums)
-      errors.overflowed += datapath.li_holds(sum) ? 0 : 1;
+    if (arithmetic == Arithmetic::fixed) {  // the others have wide words
+      errors.overflowed = static_cast<std::uint64_t>(std::ranges::count_if(
+          evaluation.sums, [&](std::int64_t sum) { return !datapath.li_holds(sum); }));
+    }
     li_[index(arithmetic)] = li_of(evaluation.sums, datapath);
     check_configurations(datapath, evaluation.sums);
     if (arithmetic == Arithmetic::double_precision) exact_ = evaluation;
@@ -253,11 +258,18 @@ class Measuring {
     if (beyond.empty()) return;
     const auto wedges = wedges_at(frame_.trace.view(), beyond);
     const std::vector<Flagged>& flagged = result_.flagged[index(arithmetic)];
+    const auto is_flagged = [&](std::uint32_t number, bool by_constants) {
+      const auto at = std::ranges::lower_bound(flagged, number, {}, &Flagged::wedge);
+      return at != flagged.end() && at->wedge == number && (!by_constants || at->by_constants);
+    };
+    Errors& errors = result_.errors[index(arithmetic)];
     for (const auto& at_pixel : wedges) {
-      const bool found = std::any_of(at_pixel.begin(), at_pixel.end(), [&](std::uint32_t w) {
-        return std::ranges::binary_search(flagged, w, {}, &Flagged::wedge);
-      });
-      result_.errors[index(arithmetic)].unflagged += found ? 0 : 1;
+      const auto none = [&](bool by_constants) {
+        return std::ranges::none_of(
+            at_pixel, [&](std::uint32_t number) { return is_flagged(number, by_constants); });
+      };
+      errors.unflagged += none(false) ? 1 : 0;
+      errors.unforeseen += none(true) ? 1 : 0;
     }
   }
 
@@ -305,9 +317,10 @@ class Measuring {
   bool move_onto_plane(std::size_t pixel, const std::vector<std::uint32_t>& wedges,
                        std::array<Frame, 2>& sides) const {
     const traces::fb::Wedge& wedge = frame_.trace.wedges[wedges[pixel % wedges.size()]];
-    const auto chosen = static_cast<std::uint16_t>(pixel % (wedge.plane_count() + 1U));
-    const std::uint32_t reference =
-        chosen == wedge.plane_count() ? wedge.umbra_plane() : (*wedge.planes())[chosen];
+    // Not the planes that LI jumps across: the front of a `linear` wedge, whose back is beside it.
+    const unsigned first = wedge.kind() == traces::fb::WedgeKind_linear ? 2 : 0;
+    const auto chosen = static_cast<std::uint16_t>(first + pixel % (wedge.plane_count() - first));
+    const std::uint32_t reference = (*wedge.planes())[chosen];
     const traces::fb::Plane& plane = frame_.trace.planes[traces::plane_index(reference)];
     const auto width = static_cast<std::size_t>(result_.width);
     const double x = static_cast<double>(pixel % width) + 0.5;

@@ -45,11 +45,12 @@ struct Errors {
   std::uint64_t signs = 0, wrong_signs = 0;  // of planes at the pixels their wedge covers
   std::uint64_t not_finite = 0, saturated = 0, overflowed = 0;
   double jump = 0.0;  // largest error of LI's step from one side of a plane of a wedge to the other
-  std::uint64_t unflagged = 0;  // of `beyond`, pixels that belong to no wedge that is flagged
-  std::uint64_t visits = 0;     // contributions evaluated, in
-  double seconds = 0.0;         // of one thread
-  std::vector<double> li;       // (height, width), for pictures
-  bool holds = false;           // the bar
+  std::uint64_t unflagged = 0;   // of `beyond`, pixels that belong to no wedge that is flagged
+  std::uint64_t unforeseen = 0;  // of `beyond`, those at no wedge that is flagged by its constants
+  std::uint64_t visits = 0;      // contributions evaluated, in
+  double seconds = 0.0;          // of one thread
+  std::vector<double> li;        // (height, width), for pictures
+  bool holds = false;            // the bar
 };
 
 struct Measurement {

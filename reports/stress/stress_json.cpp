@@ -37,6 +37,7 @@ Json errors_json(const std::vector<Measurement>& seeds, Arithmetic arithmetic) {
           {"pixels_off", worst.off},
           {"pixels_beyond_bar", worst.beyond},
           {"pixels_beyond_bar_unflagged", worst.unflagged},
+          {"pixels_beyond_bar_unforeseen", worst.unforeseen},
           {"specks", worst.specks},
           {"leaks", worst.leaks},
           {"jump", worst.jump},

@@ -31,8 +31,9 @@ TEST(StressJson, HasTheDocumentedKeys) {
                                   "pixels", "refused", "arithmetics"}));
   EXPECT_EQ(keys_of(level["arithmetics"]["double"]),
             (Keys{"max_error", "max_excess", "rms_error", "rms_penumbra", "pixels_off",
-                  "pixels_beyond_bar", "pixels_beyond_bar_unflagged", "specks", "leaks", "jump",
-                  "signs", "wrong_signs", "not_finite", "saturated", "overflowed", "holds"}));
+                  "pixels_beyond_bar", "pixels_beyond_bar_unflagged",
+                  "pixels_beyond_bar_unforeseen", "specks", "leaks", "jump", "signs", "wrong_signs",
+                  "not_finite", "saturated", "overflowed", "holds"}));
 }
 
 TEST(StressJson, SaysHowFarEachHolds) {
