@@ -50,9 +50,8 @@ void add_vertex_bounds(const Operands& operands, const traces::fb::Wedge& wedge,
     }
   }
   if (wedge.face_count() > 0) {
-    // With the eye inside it, a wedge reaches nearer than any of its faces.
-    box.z.min = std::min(box.z.min, wedge.z_min());
-    box.z.max = std::max(box.z.max, wedge.z_max());
+    // With the eye inside it, a wedge is cut by the near plane, where it may have no face.
+    if (wedge.z_min() <= 0.0) box.z.min = std::min(box.z.min, wedge.z_min());
     box.z = operands.culling_interval(operands.around(box.z.min, box.z.max), primitive.z);
   }
   primitive.vertex_box = box;

@@ -121,9 +121,8 @@ SetupPrimitive PrimitiveSetup::penumbra(std::uint32_t index) const {
     primitive.faces.push_back(
         {std::move(outline), plane(face.plane()), span(face.z_min(), face.z_max())});
   }
-  // With the eye inside it, a wedge reaches nearer than any of its faces.
-  box.low.z = std::min(box.low.z, steps_.last(wedge.z_min()));
-  box.high.z = std::max(box.high.z, steps_.first(wedge.z_max()));
+  // With the eye inside it, a wedge is cut by the near plane, where it may have no face.
+  if (wedge.z_min() <= 0.0) box.low.z = std::min(box.low.z, steps_.last(wedge.z_min()));
   primitive.vertices = box;
   primitive.light = datapath::light_setup(trace_, wedge, steps_, formats_);
   primitive.inner = plane(wedge.umbra_plane());

@@ -195,6 +195,12 @@ class Naive {
         beyond[5] += v.z() < b.z_min - 1e-9 ? 1 : 0;
       }
     }
+    if (wedge.z_min() <= 0.0) {  // cut by the near plane
+      beyond[4] += 0.0 > b.z_max + 1e-9 ? 1 : 0;
+      beyond[5] += 0.0 < b.z_min - 1e-9 ? 1 : 0;
+      for (int i = 0; i < 4; ++i) ++beyond[i];
+      ++vertices;
+    }
     return std::any_of(beyond, beyond + 6, [vertices](int n) { return n == vertices; });
   }
   bool box_inside(const fb::Wedge& wedge, const NaiveBox& b) const {

@@ -31,7 +31,7 @@ TEST(Energy, KeysAreChecked) {
   EXPECT_EQ(error("datapath_word_pj = 1"),
             "energy.toml:1: 'cache_access_pj' is missing; expected a number");
   EXPECT_EQ(error("datapath_word_pj = -1"),
-            "energy.toml:1: 'datapath_word_pj' is -1; expected a number from 0 to 1e+06");
+            "energy.toml:1: 'datapath_word_pj' is -1; expected a number from 0 to 1e+12");
   EXPECT_EQ(error(std::string(kText) + "sram_pj = 1\n"),
             "energy.toml:5: unknown key 'sram_pj'; expected one of datapath_word_pj, "
             "cache_access_pj, dram_byte_pj, dram_activate_pj");
