@@ -1,5 +1,7 @@
 #include "functional/methods/render.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "base/image.h"
@@ -19,26 +21,31 @@ struct Arguments {
 };
 
 int run(const Arguments& arguments) {
-  using functional::Method;
-  const auto method = parse_choice<Method>("--method", arguments.method,
-                                           {{"coverage", Method::coverage},
-                                            {"linear", Method::linear},
-                                            {"hard", Method::hard},
-                                            {"reference", Method::reference}});
   const int samples = parse_integer("--samples", arguments.samples, 1, 1 << 20);
+  const functional::MethodChoice method = functional::choose_method(
+      "--method",
+      arguments.method == "reference" ? fmt::format("raytraced-{}", samples) : arguments.method);
   reports::require_image_name(arguments.image);
   Progress progress;
   progress.show("reading " + arguments.scene.scene);
   const functional::Scene scene = arguments.scene.load(arguments.image);
   progress.show("rendering " + scene.name);
-  const functional::View view = functional::render_view(scene, method, samples);
+  const functional::View view = functional::render_view(scene, method);
   if (arguments.visibility) {
-    reports::write_values(arguments.image, view.visibility, scene.width, scene.height);
+    reports::write_values(arguments.image, view.visibility.values, scene.width, scene.height);
   } else {
-    reports::write_colours(arguments.image,
-                           functional::shade(scene, view.window, view.depth, view.visibility));
+    reports::write_colours(
+        arguments.image, functional::shade(scene, view.window, view.depth, view.visibility.values));
   }
   return 0;
+}
+
+std::string names_of_methods() {
+  std::string names = "reference (rays)";
+  for (const functional::Method& method : functional::methods()) {
+    names += fmt::format(", {}", method.name);
+  }
+  return names;
 }
 
 }  // namespace
@@ -51,8 +58,7 @@ Command add_render(CLI::App& program) {
       ->required()
       ->type_name("IMG");
   app->add_option("--method", arguments->method,
-                  "coverage, linear: penumbra wedges; hard: the light shrunk to its centre; "
-                  "reference: rays")
+                  "As NAME, NAME-SAMPLES or NAME:KEY=VALUE,…: " + names_of_methods())
       ->type_name("M")
       ->capture_default_str();
   app->add_option("--samples", arguments->samples, "Samples of the light, for the reference")

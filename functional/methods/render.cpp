@@ -8,8 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include "base/check.h"
-#include "functional/methods/frame.h"
-#include "functional/reference/reference.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -40,24 +38,11 @@ glm::dvec3 illumination(const Scene& scene, const glm::dvec3& point, const glm::
 
 }  // namespace
 
-View render_view(const Scene& scene, Method method, int samples) {
-  if (method == Method::reference) {
-    View view;
-    view.window = make_window(scene.camera, scene.width, scene.height);
-    view.depth = render_depth(view.window, scene.objects, traces::fb::DepthFormat_float32);
-    view.visibility = reference_visibility(scene, view.window, view.depth, samples);
-    return view;
-  }
-  FrameOptions options;
-  options.kind =
-      method == Method::linear ? traces::fb::WedgeKind_linear : traces::fb::WedgeKind_coverage;
-  Scene lit = scene;
-  if (method == Method::hard) lit.light.shape = LightShape::point;
-  Frame frame = make_frame(lit, options);
-  const std::vector<double>& li = frame.trace.expected_li;
-  View view{frame.window, std::move(frame.depth), std::vector<float>(li.size())};
-  std::ranges::transform(li, view.visibility.begin(),
-                         [](double value) { return static_cast<float>(value); });
+View render_view(const Scene& scene, const MethodChoice& choice, traces::fb::DepthFormat format) {
+  View view;
+  view.window = make_window(scene.camera, scene.width, scene.height);
+  view.depth = render_depth(view.window, scene.objects, format);
+  view.visibility = render_method({scene, view.window, view.depth}, choice);
   return view;
 }
 

@@ -3,26 +3,24 @@
 #include <vector>
 
 #include "base/image.h"
+#include "functional/methods/method.h"
 #include "functional/raster/depth_buffer.h"
 #include "functional/raster/window.h"
 #include "functional/scene/scene.h"
 
 namespace wedgesim::functional {
 
-/// How shadows are found: wedges of either kind, the light shrunk to its centre, or rays.
-enum class Method { coverage, linear, hard, reference };
-
 /// What the eye sees of a scene and how much of the light reaches it.
 struct View {
   Window window;
   DepthBuffer depth;
-  std::vector<float> visibility;  // (height, width); of wedges: not clamped
+  Visibility visibility;
 };
 
 /// Renders the depth of a scene and, by one method, the visibility of its light.
-/// \param samples  of the light, for the reference alone
-/// \throws InputError if the scene cannot be shadowed (frame.h)
-View render_view(const Scene& scene, Method method, int samples = 1024);
+/// \throws InputError if the method cannot render the scene
+View render_view(const Scene& scene, const MethodChoice& choice,
+                 traces::fb::DepthFormat format = traces::fb::DepthFormat_float32);
 
 /// Lights a view: each triangle diffusely from the light's centre, times the visibility clamped to
 /// [0, 1], and evenly from a sky above.

@@ -54,19 +54,21 @@ TEST_F(Render, AnotherNumberOfPixelsIsABug) {
 }
 
 TEST_F(Render, EveryMethodSeesTheSameShadows) {
-  const View reference = render_view(scene, Method::reference, 256);
-  for (const Method method : {Method::coverage, Method::hard}) {
-    const View view = render_view(scene, method);
-    ASSERT_EQ(view.visibility.size(), reference.visibility.size());
+  const std::vector<float> reference =
+      render_view(scene, choose_method("", "raytraced-256")).visibility.values;
+  for (const Method& method : methods()) {
+    const View view = render_view(scene, choose_method("", method.name));
+    const std::vector<float>& values = view.visibility.values;
+    ASSERT_EQ(values.size(), reference.size());
     std::size_t shadowed = 0;
     std::size_t agree = 0;
-    for (std::size_t i = 0; i < view.visibility.size(); ++i) {
-      if (view.depth.triangle[i] == DepthBuffer::kSky || reference.visibility[i] > 0.02F) continue;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (view.depth.triangle[i] == DepthBuffer::kSky || reference[i] > 0.02F) continue;
       ++shadowed;
-      if (view.visibility[i] < 0.1F) ++agree;
+      if (values[i] < 0.1F) ++agree;
     }
     EXPECT_GT(shadowed, 20U);
-    EXPECT_GE(agree, shadowed - shadowed / 20) << static_cast<int>(method);
+    EXPECT_GE(agree, shadowed - shadowed / 20) << method.name;
   }
 }
 

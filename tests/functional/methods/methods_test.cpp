@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+
+#include "base/error.h"
+#include "functional/methods/method.h"
+#include "functional/methods/render.h"
+#include "functional/scene/scene_file.h"
+
+namespace wedgesim::functional {
+namespace {
+
+std::string error_of(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Methods, HaveDifferentNamesASummaryAndASource) {
+  std::set<std::string_view> names;
+  for (const Method& method : methods()) {
+    EXPECT_TRUE(names.insert(method.name).second) << method.name;
+    EXPECT_FALSE(method.summary.empty()) << method.name;
+    EXPECT_FALSE(method.source.empty()) << method.name;
+  }
+}
+
+TEST(Methods, EveryComparedChoiceIsOneOfItsOwnMethod) {
+  for (const Method& method : methods()) {
+    for (const std::string_view text : method.compared) {
+      EXPECT_EQ(choose_method("--method", text).method, &method) << text;
+    }
+  }
+}
+
+TEST(ChooseMethod, TakesANumberOfSamplesBehindTheName) {
+  const MethodChoice choice = choose_method("--method", "raytraced-64");
+  EXPECT_EQ(choice.method->name, "raytraced");
+  EXPECT_EQ(choice.options.integer("samples", 1, 1, 100), 64);
+}
+
+TEST(ChooseMethod, TakesOptionsBehindAColon) {
+  const MethodChoice choice = choose_method("--method", "raytraced:samples=9,other=0.5");
+  EXPECT_EQ(choice.options.integer("samples", 1, 1, 100), 9);
+  EXPECT_EQ(choice.options.number("other", 1.0, 0.0, 1.0), 0.5);
+}
+
+TEST(ChooseMethod, SaysWhatIsWrong) {
+  const auto choosing = [](const std::string& text) {
+    return error_of([&] { choose_method("--method", text); });
+  };
+  EXPECT_NE(choosing("guess").find("unknown method 'guess'"), std::string::npos);
+  EXPECT_NE(choosing("guess").find("hard, "), std::string::npos);
+  EXPECT_NE(choosing("hard:").find("KEY=VALUE"), std::string::npos);
+  EXPECT_NE(choosing("hard:a").find("KEY=VALUE"), std::string::npos);
+  EXPECT_NE(choosing("hard:a=1,").find("KEY=VALUE"), std::string::npos);
+  EXPECT_NE(choosing("raytraced-4:samples=4").find("given twice"), std::string::npos);
+}
+
+TEST(MethodOptions, NamesTheOptionAndWhatIsExpected) {
+  const MethodOptions options = choose_method("--method", "hard:n=70,mode=fast").options;
+  EXPECT_NE(error_of([&] {
+              (void)options.integer("n", 8, 8, 64);
+            }).find("n = '70'; expected a whole number from 8 to 64"),
+            std::string::npos);
+  EXPECT_NE(error_of([&] {
+              (void)options.choice<int>("mode", {{"near", 0}, {"far", 1}});
+            }).find("one of near, far"),
+            std::string::npos);
+}
+
+TEST(RenderMethod, RefusesAnOptionThatTheMethodDoesNotKnow) {
+  SceneOptions scene_options;
+  scene_options.size = {8, 8};
+  const Scene scene = load_scene("plain-columns", scene_options);
+  EXPECT_NE(error_of([&] {
+              render_view(scene, choose_method("--method", "raytraced:rays=4"));
+            }).find("unknown option 'rays'; expected one of samples"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace wedgesim::functional
