@@ -23,6 +23,7 @@ Command add_dump(CLI::App& program);
 Command add_count(CLI::App& program);
 Command add_cycles(CLI::App& program);
 Command add_explain(CLI::App& program);
+Command add_accuracy(CLI::App& program);
 Command add_stress(CLI::App& program);
 Command add_study(CLI::App& program);
 /// Under `study` as well as by themselves.

@@ -24,8 +24,9 @@ void allow_extras(const Command& command) {
 
 std::vector<Command> add_commands(CLI::App& program) {
   std::vector<Command> commands;
-  for (const auto add : {add_scenes, add_render, add_trace, add_import, add_dump, add_count,
-                         add_cycles, add_explain, add_study, add_stress, add_merge, add_compare}) {
+  for (const auto add :
+       {add_scenes, add_render, add_trace, add_import, add_dump, add_count, add_cycles, add_explain,
+        add_study, add_accuracy, add_stress, add_merge, add_compare}) {
     commands.push_back(add(program));
   }
   // What CLI11 does not know is left over, so that one place can say what would be known.

@@ -12,6 +12,10 @@ void SceneArguments::add_to(CLI::App& app) {
   app.add_option("SCENE", scene, "A built-in scene (wedgesim scenes) or a scene file (.toml)")
       ->required()
       ->type_name("");
+  add_options_to(app);
+}
+
+void SceneArguments::add_options_to(CLI::App& app) {
   app.add_option("--size", size, "Pixels; the scene's own without it")->type_name("WxH");
   app.add_option("--frame", frame, "Frame of the camera's path")
       ->type_name("N")

@@ -14,6 +14,8 @@ struct SceneArguments {
   bool repair = false;
 
   void add_to(CLI::App& app);
+  /// All but the scene itself.
+  void add_options_to(CLI::App& app);
   /// Loads the scene; what a repair did is said on standard error.
   /// \param output  what will be written
   /// \throws InputError for anything wrong with the options or the scene, or if the scene is read

@@ -57,7 +57,8 @@ struct Method {
   std::span<const std::string_view> compared;
   /// What its paper says it gets wrong: names of artifacts.
   std::span<const std::string_view> artifacts;
-  /// \throws InputError if it cannot render this scene, with the reason
+  /// \throws OptionError for a wrong option, InputError if it cannot render this scene, with the
+  ///         reason
   Visibility (*render)(const MethodInput& input, const MethodOptions& options);
 };
 

@@ -24,7 +24,7 @@ const std::string* MethodOptions::find(std::string_view key) const {
 }
 
 void MethodOptions::refuse(std::string_view key, const std::string& expected) const {
-  throw InputError(place_, fmt::format("{} = '{}'", key, values_.find(key)->second), expected);
+  throw OptionError(place_, fmt::format("{} = '{}'", key, values_.find(key)->second), expected);
 }
 
 int MethodOptions::integer(std::string_view key, int fallback, int low, int high) const {
@@ -52,8 +52,8 @@ void MethodOptions::check_all_known() const {
     if (asked_.contains(key)) continue;
     std::string known;
     for (const auto& [name, asked] : asked_) known += (known.empty() ? "" : ", ") + name;
-    throw InputError(place_, fmt::format("unknown option '{}'", key),
-                     known.empty() ? "no options" : "one of " + known);
+    throw OptionError(place_, fmt::format("unknown option '{}'", key),
+                      known.empty() ? "no options" : "one of " + known);
   }
 }
 

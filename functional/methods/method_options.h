@@ -10,6 +10,12 @@
 
 namespace wedgesim::functional {
 
+/// An option of a method is wrong, whatever the scene.
+class OptionError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// The options of a shadow method: KEY=VALUE pairs, each read once by the method that knows it.
 class MethodOptions {
  public:
@@ -17,6 +23,8 @@ class MethodOptions {
   /// \param place  what names the method, for errors: "--method ssv:texture=32"
   MethodOptions(std::string place, std::map<std::string, std::string, std::less<>> values)
       : place_(std::move(place)), values_(std::move(values)) {}
+
+  // Each throws OptionError if the value is not what is expected.
 
   /// A whole number from `low` to `high`; `fallback` if it was not given.
   int integer(std::string_view key, int fallback, int low, int high) const;
@@ -27,7 +35,7 @@ class MethodOptions {
   Value choice(std::string_view key,
                std::initializer_list<std::pair<std::string_view, Value>> choices) const;
 
-  /// \throws InputError if a key was given that no call above has asked for
+  /// \throws OptionError if a key was given that no call above has asked for
   void check_all_known() const;
 
  private:

@@ -92,7 +92,8 @@ glm::dvec2 to_disc(const glm::dvec2& s) {
 }  // namespace
 
 std::vector<float> reference_visibility(const Scene& scene, const Window& window,
-                                        const DepthBuffer& depth, int samples, std::uint64_t seed) {
+                                        const DepthBuffer& depth, int samples, std::uint64_t seed,
+                                        std::span<const std::uint8_t> wanted) {
   CHECK_GE(samples, 1);
   const Device device(rtcNewDevice("threads=1"));
   WEDGESIM_CHECK(device != nullptr);
@@ -107,6 +108,7 @@ std::vector<float> reference_visibility(const Scene& scene, const Window& window
           static_cast<std::size_t>(y) * static_cast<std::size_t>(window.width) +
           static_cast<std::size_t>(x);
       if (depth.triangle[pixel] == DepthBuffer::kSky) continue;
+      if (!wanted.empty() && wanted[pixel] == 0) continue;
       const double z = traces::decode_depth(depth.format, depth.words[pixel]);
       const glm::dvec3 p = world_point(window, x + 0.5, y + 0.5, z);
       // Off the surface, by more than the rounding of the stored depth.

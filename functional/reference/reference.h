@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "functional/raster/depth_buffer.h"
@@ -15,9 +16,11 @@ namespace wedgesim::functional {
 /// the casters alone (Embree, robust mode). A rectangle is sampled over its area, a sphere over the
 /// disc that the tangent cone from the point cuts (coverage.h).
 /// \param samples  rounded down to a square number, at least 1
-/// \return (height, width) visibility in [0, 1]; 1 for the sky
+/// \param wanted  (height, width) which pixels are traced, not 0; empty: all
+/// \return (height, width) visibility in [0, 1]; 1 for the sky and for pixels that are not wanted
 std::vector<float> reference_visibility(const Scene& scene, const Window& window,
                                         const DepthBuffer& depth, int samples = 1024,
-                                        std::uint64_t seed = 1);
+                                        std::uint64_t seed = 1,
+                                        std::span<const std::uint8_t> wanted = {});
 
 }  // namespace wedgesim::functional
