@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -15,6 +16,9 @@
 #include "cli/scene_arguments.h"
 #include "reports/accuracy/accuracy_json.h"
 #include "reports/accuracy/accuracy_text.h"
+#include "reports/accuracy/claim_results.h"
+#include "reports/accuracy/views.h"
+#include "reports/claims/claims.h"
 
 namespace wedgesim::cli {
 namespace {
@@ -24,7 +28,8 @@ namespace accuracy = reports::accuracy;
 struct Arguments {
   std::vector<std::string> scenes, methods;
   SceneArguments scene;  // what holds for every scene
-  std::string rays = "4096", repetitions = "5", max_error, budget, json;
+  std::string rays = "4096", repetitions = "5", max_error, budget, json, claims, meshes = ".";
+  bool published = false;
 };
 
 std::optional<accuracy::Wish> parse_wish(const Arguments& arguments) {
@@ -39,33 +44,85 @@ std::optional<accuracy::Wish> parse_wish(const Arguments& arguments) {
   return wish;
 }
 
-std::vector<functional::Scene> load_scenes(const Arguments& arguments) {
-  std::vector<functional::Scene> scenes;
-  for (const std::string& name : arguments.scenes) {
+/// A scene to be measured and the choices of method on it; none: what stands for every method.
+struct Job {
+  std::string scene;  // or a view
+  std::vector<functional::MethodChoice> choices;
+};
+
+std::vector<Job> jobs_of(const Arguments& arguments) {
+  std::vector<functional::MethodChoice> choices;
+  for (const std::string& text : arguments.methods) {
+    choices.push_back(functional::choose_method("--method", text));
+  }
+  std::vector<Job> jobs;
+  for (const std::string& scene : arguments.scenes) jobs.push_back({scene, choices});
+  if (arguments.published) {
+    for (const accuracy::View& view : accuracy::built_in_views()) {
+      if (view.published) jobs.push_back({view.name, choices});
+    }
+  }
+  if (!arguments.claims.empty()) {
+    for (const auto& [scene, texts] : accuracy::work_of(reports::method_claims())) {
+      Job& job = jobs.emplace_back(Job{scene, {}});
+      for (const std::string& text : texts) {
+        job.choices.push_back(functional::choose_method("reports/claims.toml", text));
+      }
+    }
+  }
+  return jobs;
+}
+
+// Nothing for a view whose mesh is not there, which is noted.
+std::optional<functional::Scene> load_scene(const Arguments& arguments, const std::string& name) {
+  const auto& views = accuracy::built_in_views();
+  const auto view = std::ranges::find(views, name, &accuracy::View::name);
+  if (view == views.end()) {
     SceneArguments one = arguments.scene;
     one.scene = name;
-    scenes.push_back(one.load(arguments.json));
+    return one.load(arguments.json);
   }
-  return scenes;
+  std::optional<functional::Scene> scene = view->load(arguments.meshes);
+  if (!scene) {
+    print_note(
+        fmt::format("{} is left out: {} is not there (--meshes)", name,
+                    (std::filesystem::path(arguments.meshes) / *view->options.mesh).string()));
+  }
+  return scene;
+}
+
+void check_what_is_measured(const Arguments& arguments) {
+  const int given = (arguments.scenes.empty() ? 0 : 1) + (arguments.published ? 1 : 0) +
+                    (arguments.claims.empty() ? 0 : 1);
+  if (given != 1) {
+    throw InputError("accuracy", given == 0 ? "has nothing to measure" : "has several things to do",
+                     "scenes, --published or --claims");
+  }
+  if (!arguments.claims.empty() && !arguments.methods.empty()) {
+    throw InputError("--method", "does not go with --claims", "one of the two");
+  }
 }
 
 int run(const Arguments& arguments) {
   accuracy::MeasureOptions options;
   options.rays = parse_integer("--rays", arguments.rays, 1, 1 << 20);
   options.repetitions = parse_integer("--repetitions", arguments.repetitions, 1, 1000);
-  for (const std::string& text : arguments.methods) {
-    options.choices.push_back(functional::choose_method("--method", text));
-  }
+  check_what_is_measured(arguments);
   const std::optional<accuracy::Wish> wish = parse_wish(arguments);
-  if (!arguments.json.empty()) require_writable(arguments.json);
+  for (const std::string& output : {arguments.json, arguments.claims}) {
+    if (!output.empty()) require_writable(output);
+  }
   const accuracy::Wish* asked = wish ? &*wish : nullptr;
   std::vector<accuracy::SceneResult> results;
   bool met = true;
-  for (functional::Scene& scene : load_scenes(arguments)) {
-    const std::string name = scene.name;
+  for (const Job& job : jobs_of(arguments)) {
+    std::optional<functional::Scene> scene = load_scene(arguments, job.scene);
+    if (!scene) continue;
+    const std::string name = scene->name;
+    options.choices = job.choices;
     {
       Progress progress;
-      results.push_back(accuracy::measure(std::move(scene), options, [&](std::string_view choice) {
+      results.push_back(accuracy::measure(std::move(*scene), options, [&](std::string_view choice) {
         progress.show(fmt::format("accuracy: {}, {}", name, choice));
       }));
     }
@@ -74,6 +131,12 @@ int run(const Arguments& arguments) {
   }
   if (!arguments.json.empty()) {
     reports::write_json(arguments.json, accuracy::accuracy_json(options, results, asked));
+  }
+  if (!arguments.claims.empty()) {
+    const reports::Results measured = accuracy::claim_results(results);
+    const auto judged = reports::judge_claims(reports::method_claims(), measured);
+    write_file(arguments.claims, reports::claims_page(judged, measured).markdown());
+    print("\n" + reports::claims_table(judged).text());
   }
   return met ? 0 : 1;
 }
@@ -84,8 +147,8 @@ Command add_accuracy(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "accuracy", "Error against run time of every shadow method, beside ray tracing");
   auto arguments = std::make_shared<Arguments>();
-  app->add_option("SCENE", arguments->scenes, "Built-in scenes (wedgesim scenes) or scene files")
-      ->required()
+  app->add_option("SCENE", arguments->scenes,
+                  "Built-in scenes (wedgesim scenes), scene files, or views (docs/accuracy.md)")
       ->type_name("");
   arguments->scene.add_options_to(*app);
   app->add_option("--method", arguments->methods,
@@ -105,6 +168,14 @@ Command add_accuracy(CLI::App& program) {
   app->add_option("--budget", arguments->budget,
                   "Recommend the most exact method within this run time, milliseconds")
       ->type_name("MS");
+  app->add_flag("--published", arguments->published,
+                "The views that have the sizes of the papers' tables");
+  app->add_option("--claims", arguments->claims,
+                  "Measure what the papers claim of methods and write the page of verdicts here")
+      ->type_name("FILE");
+  app->add_option("--meshes", arguments->meshes, "Where relative paths of the views' meshes start")
+      ->type_name("DIR")
+      ->capture_default_str();
   app->add_option("--json", arguments->json, "Write the results as JSON, too")->type_name("FILE");
   app->footer(
       "Exit code 1 if a scene has no method that meets --max-error and --budget.\n"

@@ -14,7 +14,7 @@ std::string write_study(const std::filesystem::path& folder, const reports::Resu
   reports::page::write_study_page(folder, results, reports::page::page_path(folder));
   std::string text = reports::summary(results).text() + '\n';
   if (!results.study.claims) return text;
-  const auto judged = reports::judge_claims(reports::built_in_claims(), results);
+  const auto judged = reports::judge_claims(reports::study_claims(), results);
   const std::string page = reports::claims_page(judged, results).markdown();
   write_file(folder / "claims.md", page);
   if (!claims.empty()) write_file(claims, page);

@@ -14,7 +14,8 @@
 namespace wedgesim::reports {
 namespace {
 
-constexpr std::array<std::string_view, 5> kKinds{"saved", "more", "ratio", "share", "best"};
+constexpr std::array<std::string_view, 6> kKinds{"saved", "more",  "ratio",
+                                                 "share", "value", "best"};
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(' ');
@@ -56,17 +57,17 @@ Values single(const std::map<std::string, std::vector<Value>>& keys) {
   return values;
 }
 
-Measurement read_measurement(const toml::table& raw, const std::string& file) {
+Measurement read_measurement(const toml::table& raw, bool of_methods, const std::string& file) {
   const TomlTable table(raw, file);
   Measurement measurement;
   measurement.definition = table.text("definition");
   const std::string kind = table.text("kind");
   const auto known = std::ranges::find(kKinds, kind);
   if (known == kKinds.end()) {
-    table.fail("kind", fmt::format("is '{}'", kind), "saved, more, ratio, share or best");
+    table.fail("kind", fmt::format("is '{}'", kind), "saved, more, ratio, share, value or best");
   }
   measurement.kind = static_cast<ClaimKind>(known - kKinds.begin());
-  measurement.measure = table.text("measure", "count");
+  measurement.measure = of_methods ? "accuracy" : table.text("measure", "count");
   measurement.metric = read_sum(table, "metric");
   measurement.of = table.has("of") ? read_sum(table, "of") : measurement.metric;
   if (measurement.kind == ClaimKind::best) measurement.over = table.text("over");
@@ -100,13 +101,19 @@ Claim read_claim(const toml::table& raw, const std::string& file) {
       claim.scenes.push_back(to_text(scene));
     }
   }
-  claim.wedges = table.text("wedges", "linear");
+  const std::string by = table.text("by", "study");
+  if (by != "study" && by != "accuracy") {
+    table.fail("by", fmt::format("is '{}'", by), "study or accuracy");
+  }
+  claim.of_methods = by == "accuracy";
+  claim.wedges = claim.of_methods ? "" : table.text("wedges", "linear");
   claim.needs = table.text("needs", "");
   table.has("measured");
   table.reject_unknown();
   if (const toml::array* measured = raw["measured"].as_array()) {
     for (const toml::node& one : *measured) {
-      if (one.is_table()) claim.measured.push_back(read_measurement(*one.as_table(), file));
+      if (one.is_table())
+        claim.measured.push_back(read_measurement(*one.as_table(), claim.of_methods, file));
     }
   }
   if (claim.measured.empty() == claim.needs.empty()) {
@@ -114,6 +121,13 @@ Claim read_claim(const toml::table& raw, const std::string& file) {
                "[[claim.measured]] or needs");
   }
   return claim;
+}
+
+ClaimFile built_in_claims(bool of_methods) {
+  ClaimFile file = parse_claims(built_in_claim_files().front().text, "reports/claims.toml");
+  std::erase_if(file.claims, [=](const Claim& claim) { return claim.of_methods != of_methods; });
+  if (of_methods) file.defaults.clear();
+  return file;
 }
 
 }  // namespace
@@ -140,9 +154,13 @@ ClaimFile parse_claims(std::string_view text, const std::string& file) {
   return claims;
 }
 
-const ClaimFile& built_in_claims() {
-  static const ClaimFile claims =
-      parse_claims(built_in_claim_files().front().text, "reports/claims.toml");
+const ClaimFile& study_claims() {
+  static const ClaimFile claims = built_in_claims(false);
+  return claims;
+}
+
+const ClaimFile& method_claims() {
+  static const ClaimFile claims = built_in_claims(true);
   return claims;
 }
 

@@ -24,13 +24,13 @@ struct Sum {
 };
 
 /// What is computed of two points, `from` and `to`, of one frame.
-enum class ClaimKind { saved, more, ratio, share, best };
+enum class ClaimKind { saved, more, ratio, share, value, best };
 
 /// One way to take a claim at its word; reports/claims.toml says what each means.
 struct Measurement {
   std::string definition;
   ClaimKind kind = ClaimKind::saved;
-  std::string measure;                              // "count" or "cycles"
+  std::string measure;                              // "count", "cycles" or "accuracy"
   Sum metric, of;                                   // of `to`, of `from`
   std::string over;                                 // best: the key whose value is looked for
   std::map<std::string, std::vector<Value>> where;  // keys with all that they take
@@ -40,9 +40,10 @@ struct Measurement {
 /// What a paper claims.
 struct Claim {
   std::string id, paper, section, says, unit;
-  double low = 0.0, high = 0.0;       // the paper's band
-  bool most = false;                  // the largest value counts, not the median
-  std::string wedges;                 // the kind that the paper has: "linear" or "coverage"
+  double low = 0.0, high = 0.0;  // the paper's band
+  bool most = false;             // the largest value counts, not the median
+  std::string wedges;       // the kind that the paper has: "linear" or "coverage"; of methods, none
+  bool of_methods = false;  // measured by `accuracy`, not by a study
   std::vector<std::string> scenes;    // empty: all
   std::string needs;                  // why it cannot be measured yet; else empty
   std::vector<Measurement> measured;  // the literal one first
@@ -57,8 +58,10 @@ struct ClaimFile {
 /// \throws InputError at FILE:LINE
 ClaimFile parse_claims(std::string_view text, const std::string& file);
 
-/// reports/claims.toml, compiled in.
-const ClaimFile& built_in_claims();
+/// reports/claims.toml, compiled in: the claims that studies measure, and those that `accuracy`
+/// does.
+const ClaimFile& study_claims();
+const ClaimFile& method_claims();
 struct BuiltInClaims {
   std::string_view name, text;
 };

@@ -17,7 +17,9 @@ class PointIndex {
  public:
   PointIndex(const ClaimFile& file, const Results& results) {
     const auto add = [this](const auto& values) {
-      for (const auto& [key, value] : values) keys_.insert(key);
+      for (const auto& [key, value] : values) {
+        if (key != "scene") keys_.insert(key);
+      }
     };
     add(file.defaults);
     for (const Claim& claim : file.claims) {
@@ -87,12 +89,24 @@ Values merged(Values settings, const Values& more) {
   return settings;
 }
 
+// A claim about methods may name the scene of either side; else both are of the frame at hand.
+const PointRow* find_point(const PointIndex& points, const Measurement& measurement,
+                           const std::string& frame, Values settings) {
+  const auto scene = settings.find("scene");
+  if (scene == settings.end()) return points.find(frame, measurement.measure, settings);
+  const std::string named = to_text(scene->second);
+  settings.erase(scene);
+  return points.find(named, measurement.measure, settings);
+}
+
 // Of a frame and a combination; nothing if the study lacks a point, or nothing is there to divide.
 std::optional<double> value_of(const Measurement& measurement, const PointIndex& points,
                                const std::string& frame, const Values& where) {
-  const PointRow* from = points.find(frame, measurement.measure, merged(where, measurement.from));
-  const PointRow* to = points.find(frame, measurement.measure, merged(where, measurement.to));
-  if (from == nullptr || to == nullptr) return std::nullopt;
+  const PointRow* to = find_point(points, measurement, frame, merged(where, measurement.to));
+  if (to == nullptr) return std::nullopt;
+  if (measurement.kind == ClaimKind::value) return measurement.metric.of(*to);
+  const PointRow* from = find_point(points, measurement, frame, merged(where, measurement.from));
+  if (from == nullptr) return std::nullopt;
   const std::optional<double> a = measurement.of.of(*from);
   const std::optional<double> b = measurement.metric.of(*to);
   if (!a || !b || *a == 0.0 || (measurement.kind == ClaimKind::ratio && *b == 0.0)) {
@@ -107,6 +121,7 @@ std::optional<double> value_of(const Measurement& measurement, const PointIndex&
       return *a / *b;
     case ClaimKind::share:
       return 100.0 * *b / *a;
+    case ClaimKind::value:
     case ClaimKind::best:
       break;
   }
@@ -171,15 +186,15 @@ bool in_band(const Claim& claim, const Measured& measured) {
   return value >= claim.low && value <= claim.high;
 }
 
-// The other conventions, and the other wedges, for which `holds` is true.
+// The other conventions, and the other wedges where there are such, for which `holds` is true.
 template <typename Holds>
 std::string conventions(const ClaimResult& result, Holds holds) {
   std::string list;
   for (std::size_t i = 0; i < result.measured.size(); ++i) {
     for (const auto& [kind, measured] : result.measured[i]) {
       if (!holds(measured)) continue;
-      list += fmt::format("{}{} ({} wedges)", list.empty() ? "" : "; ",
-                          result.claim->measured[i].definition, kind);
+      list += fmt::format("{}{}", list.empty() ? "" : "; ", result.claim->measured[i].definition);
+      if (!kind.empty()) list += fmt::format(" ({} wedges)", kind);
     }
   }
   return list;

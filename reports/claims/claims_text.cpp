@@ -23,14 +23,16 @@ Table measured_table(const ClaimResult& result) {
   const Claim& claim = *result.claim;
   Table table;
   table.add_column("measured as", Table::Align::left);
-  for (const char* kind : {"linear", "coverage"}) {
-    table.add_column("value", Table::Align::right, std::string(kind) + " wedges");
+  std::vector<std::string> kinds{"linear", "coverage"};
+  if (claim.of_methods) kinds = {""};
+  for (const std::string& kind : kinds) {
+    table.add_column("value", Table::Align::right, kind.empty() ? kind : kind + " wedges");
     table.add_column("in the band", Table::Align::right);
     table.add_column("values", Table::Align::right);
   }
   for (std::size_t i = 0; i < result.measured.size(); ++i) {
     std::vector<std::string> cells{claim.measured[i].definition};
-    for (const char* kind : {"linear", "coverage"}) {
+    for (const std::string& kind : kinds) {
       const auto found = result.measured[i].find(kind);
       const Measured measured = found == result.measured[i].end() ? Measured{} : found->second;
       cells.push_back(value_text(claim, measured));
@@ -64,17 +66,19 @@ Document claims_table(std::span<const ClaimResult> claims) {
   document.heading("Claims of the papers");
   document.paragraph(
       "Measured: the median, or the largest where the paper says up to, and in parentheses the 5th "
-      "to 95th percentile, over frames and tiles, on the paper's kind of wedges.");
+      "to 95th percentile, over frames and tiles, on the paper's kind of wedges where that "
+      "matters.");
   document.table(table_of(claims));
   return document;
 }
 
 Document claims_page(std::span<const ClaimResult> claims, const Results& results) {
+  const bool of_methods = !claims.empty() && claims.front().claim->of_methods;
   Document document = claims_table(claims);
   document.paragraph(
-      fmt::format("Over {} frames. Made by `wedgesim study claims --claims FILE` from "
+      fmt::format("Over {} frames. Made by `wedgesim {} --claims FILE` from "
                   "`reports/claims.toml`: do not edit.",
-                  results.frames.size()));
+                  results.frames.size(), of_methods ? "accuracy" : "study claims"));
   for (const ClaimResult& result : claims) {
     const Claim& claim = *result.claim;
     document.heading(claim.id);

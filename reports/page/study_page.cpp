@@ -31,7 +31,7 @@ Section claims_section(const Results& results) {
       "the 5th to 95th percentile, over frames and tiles, on the paper's kind of wedges.";
   section.columns = {"Claim",    "Paper, section", "The paper's band",
                      "Measured", "Measured as",    "Verdict"};
-  for (const ClaimResult& result : judge_claims(built_in_claims(), results)) {
+  for (const ClaimResult& result : judge_claims(study_claims(), results)) {
     const Claim& claim = *result.claim;
     std::string verdict(spelling(result.verdict));
     if (!result.because.empty()) verdict += ": " + result.because;

@@ -67,6 +67,9 @@ TEST_F(Accuracy, RecommendsTheFastestMethodWithinAnError) {
 TEST_F(Accuracy, BadInputIsOneClearLine) {
   for (const auto& [options, words] :
        std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>>{
+           {{}, {"nothing to measure", "--published"}},
+           {{"plain-columns", "--published"}, {"several things"}},
+           {{"--claims", file("c.md"), "--method", "hard"}, {"--method", "--claims"}},
            {{"nowhere"}, {"nowhere"}},
            {{"plain-columns", "--method", "guess"}, {"--method", "unknown method 'guess'"}},
            {{"plain-columns", "--method", "hard:no=1"}, {"hard:no=1", "unknown option 'no'"}},

@@ -19,7 +19,7 @@ TEST(GoldenClaims, TheDocumentIsWhatIsMeasured) {
   options.folder = folder / "claims";
   reports::run_study(reports::read_study("claims"), options);
   const reports::Results results = reports::read_results(options.folder);
-  const auto claims = reports::judge_claims(reports::built_in_claims(), results);
+  const auto claims = reports::judge_claims(reports::study_claims(), results);
   const std::string page = reports::claims_page(claims, results).markdown();
   const std::filesystem::path file = WEDGESIM_SOURCE_DIR "/docs/claims.md";
   if (updates_golden()) write_file(file, page);

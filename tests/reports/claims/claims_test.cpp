@@ -146,7 +146,7 @@ TEST(BuiltInClaims, HaveTheirPointsInTheStudy) {
       point.frame = frame.row.label;
       point.measure = configuration.measure_name();
       point.configuration = configuration.values;
-      for (const Claim& claim : built_in_claims().claims) {
+      for (const Claim& claim : study_claims().claims) {
         for (const Measurement& measurement : claim.measured) {
           for (const Sum& sum : {measurement.metric, measurement.of}) {
             for (const Sum::Term& term : sum.terms) point.metrics[term.metric] = 1.0;
@@ -156,7 +156,7 @@ TEST(BuiltInClaims, HaveTheirPointsInTheStudy) {
       all.points.push_back(std::move(point));
     }
   }
-  for (const ClaimResult& result : judge_claims(built_in_claims(), all)) {
+  for (const ClaimResult& result : judge_claims(study_claims(), all)) {
     for (std::size_t i = 0; i < result.measured.size(); ++i) {
       EXPECT_EQ(result.measured[i].size(), 2U)
           << result.claim->id << ": " << result.claim->measured[i].definition;

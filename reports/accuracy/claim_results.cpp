@@ -1,0 +1,98 @@
+#include "reports/accuracy/claim_results.h"
+
+#include <algorithm>
+
+#include "functional/geometry/silhouette.h"
+#include "reports/runner/value.h"
+
+namespace wedgesim::reports::accuracy {
+namespace {
+
+// Silhouette vertices of a scene at which an odd number of edges meet (Paper V: none).
+std::int64_t odd_degree_vertices(const functional::Scene& scene) {
+  std::int64_t odd = 0;
+  for (const functional::Object& object : scene.objects) {
+    if (!object.casts) continue;
+    std::map<std::uint32_t, int> degrees;
+    for (const auto& loop : functional::find_silhouette(object.mesh, scene.light.centre).loops) {
+      for (const functional::SilhouetteEdge& edge : loop) {
+        ++degrees[edge.begin];
+        ++degrees[edge.end];
+      }
+    }
+    odd += std::ranges::count_if(degrees, [](const auto& at) { return at.second % 2 != 0; });
+  }
+  return odd;
+}
+
+Values metrics_of(const Measured& measured, std::int64_t odd_degrees) {
+  const functional::MethodAccesses& accesses = measured.accesses;
+  const Timing& timing = measured.timing;
+  const auto count = [](std::uint64_t words) { return static_cast<std::int64_t>(words); };
+  Values metrics{{"rmse", measured.on(Region::receivers).rmse},
+                 {"rmse_casters", measured.on(Region::casters).rmse},
+                 {"rmse_penumbra", measured.on(Region::penumbra).rmse},
+                 {"max_error", measured.on(Region::receivers).largest},
+                 {"beyond_1_255", measured.on(Region::receivers).beyond_1_255},
+                 {"beyond_16_255", measured.on(Region::receivers).beyond_16_255},
+                 {"milliseconds", 1e3 * timing.all_threads},
+                 {"milliseconds_one_thread", 1e3 * timing.one_thread},
+                 {"frames_per_second", 1.0 / timing.all_threads},
+                 {"frames_per_second_one_thread", 1.0 / timing.one_thread},
+                 {"z_reads", count(accesses.z_reads)},
+                 {"li_reads", count(accesses.li_reads)},
+                 {"li_writes", count(accesses.li_writes)},
+                 {"map_reads", count(accesses.map_reads)},
+                 {"map_writes", count(accesses.map_writes)},
+                 {"bytes", count(accesses.bytes)},
+                 {"odd_degree_vertices", odd_degrees}};
+  for (const functional::Stage& stage : timing.stages) {
+    metrics[stage.name + "_milliseconds"] = 1e3 * stage.seconds;
+  }
+  return metrics;
+}
+
+// What a side of a measurement asks for on a scene.
+void add_side(const Values& side, const std::string& scene, ClaimWork& work) {
+  const auto method = side.find("method");
+  if (method == side.end()) return;
+  const auto named = side.find("scene");
+  work[named == side.end() ? scene : to_text(named->second)].insert(to_text(method->second));
+}
+
+}  // namespace
+
+ClaimWork work_of(const ClaimFile& file) {
+  ClaimWork work;
+  for (const Claim& claim : file.claims) {
+    for (const Measurement& measurement : claim.measured) {
+      for (const std::string& scene : claim.scenes) {
+        add_side(measurement.from, scene, work);
+        add_side(measurement.to, scene, work);
+      }
+    }
+  }
+  return work;
+}
+
+Results claim_results(const std::vector<SceneResult>& scenes) {
+  Results results;
+  for (const SceneResult& scene : scenes) {
+    FrameRow frame;
+    frame.label = frame.scene = scene.scene.name;
+    results.frames.push_back(frame);
+    const std::int64_t odd_degrees = odd_degree_vertices(scene.scene);
+    for (const Measured& measured : scene.methods) {
+      if (measured.refused) continue;
+      PointRow point;
+      point.frame = frame.label;
+      point.measure = "accuracy";
+      point.configuration = {{"method", measured.choice.text}};
+      point.metrics = metrics_of(measured, odd_degrees);
+      results.points.push_back(std::move(point));
+    }
+  }
+  return results;
+}
+
+}  // namespace wedgesim::reports::accuracy
