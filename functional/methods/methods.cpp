@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "functional/methods/method.h"
+#include "functional/methods/occlusion_camera.h"
 #include "functional/methods/raytraced.h"
 #include "functional/methods/renderer.h"
 
@@ -43,6 +44,7 @@ std::span<const Method> methods() {
       kRaytraced,
       kCoverage,
       kLinear,
+      kOcclusionCamera,
   };
   return all;
 }

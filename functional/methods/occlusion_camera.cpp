@@ -1,0 +1,139 @@
+#include "functional/methods/occlusion_camera.h"
+
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "base/error.h"
+#include "functional/geometry/silhouette.h"
+#include "functional/methods/occlusion_lookup.h"
+#include "functional/methods/stopwatch.h"
+#include "functional/raster/light_window.h"
+#include "functional/scene/light_file.h"
+
+namespace wedgesim::functional {
+namespace {
+
+constexpr std::uint64_t kWordBytes = 4;   // a depth, a light intensity, the name of a strip
+constexpr std::uint64_t kTexelBytes = 8;  // of a distortion map: name and distance
+
+void check_outside(const Scene& scene, const Light& light) {
+  for (const Object& object : scene.objects) {
+    if (!object.casts) continue;
+    for (const glm::dvec3& p : object.mesh.positions) {
+      if (glm::distance(p, light.centre) <= light.radius) {
+        throw InputError(scene.place,
+                         "caster '" + object.mesh.name + "' touches the light's sphere",
+                         "casters outside the light");
+      }
+    }
+  }
+}
+
+std::vector<Silhouette> find_silhouettes(const Scene& scene, const glm::dvec3& from) {
+  std::vector<Silhouette> silhouettes(scene.objects.size());
+  tbb::parallel_for(std::size_t{0}, silhouettes.size(), [&](std::size_t i) {
+    if (scene.objects[i].casts) silhouettes[i] = find_silhouette(scene.objects[i].mesh, from);
+  });
+  return silhouettes;
+}
+
+// Row by row: where each pixel's point is to the light's camera, and what reaches it.
+OcclusionLookup::Count light_pixels(const MethodInput& input, const Window& light_window,
+                                    const OcclusionLookup& lookup, std::vector<float>& values) {
+  const glm::dmat4 light_from_eye = light_window.window_from_world * input.window.world_from_window;
+  const glm::dvec4 scale(input.window.world_from_window[0][3], input.window.world_from_window[1][3],
+                         input.window.world_from_window[2][3],
+                         input.window.world_from_window[3][3]);
+  const int width = input.window.width;
+  std::vector<OcclusionLookup::Count> counts(static_cast<std::size_t>(input.window.height));
+  tbb::parallel_for(0, input.window.height, [&](int y) {
+    OcclusionLookup::Count& count = counts[static_cast<std::size_t>(y)];
+    for (int x = 0; x < width; ++x) {
+      const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                         static_cast<std::size_t>(x);
+      if (input.depth.triangle[pixel] == DepthBuffer::kSky) continue;
+      const glm::dvec4 at(x + 0.5, y + 0.5,
+                          traces::decode_depth(input.depth.format, input.depth.words[pixel]), 1.0);
+      const glm::dvec4 seen = light_from_eye * at;
+      if (!(seen.w > 0.0)) continue;
+      const Fragment fragment{glm::vec2(seen.x / seen.w, seen.y / seen.w),
+                              static_cast<float>(seen.w / glm::dot(scale, at))};
+      values[pixel] = lookup.visible(fragment, count);
+    }
+  });
+  OcclusionLookup::Count all;
+  for (const auto& count : counts) {
+    all.depth_reads += count.depth_reads;
+    all.map_reads += count.map_reads;
+  }
+  return all;
+}
+
+Visibility render(const MethodInput& input, const MethodOptions& options) {
+  const int size = options.integer("resolution", 1024, 128, 4096);
+  const int maps = options.integer("maps", 2, 1, 2);
+  OcclusionLookup::Options lookups;
+  lookups.lookups = options.integer("lookups", 3, 1, 4);
+  lookups.interpolate = options.integer("texels", 4, 1, 4) == 4;
+  lookups.bias = options.number("bias", 2.0, 0.0, 100.0);
+  options.check_all_known();
+
+  const Scene& scene = input.scene;
+  const Light light = reshaped({scene.light, {}}, LightShape::sphere);
+  check_outside(scene, light);
+
+  Visibility result;
+  Stopwatch stopwatch(result);
+  const std::vector<Silhouette> silhouettes = find_silhouettes(scene, light.centre);
+  stopwatch.end("silhouettes");
+
+  Window light_window;
+  try {
+    light_window = make_light_window(scene.objects, light.centre, light.radius, size);
+  } catch (const InputError& error) {
+    throw InputError(scene.place, error.what());
+  }
+  const ShadowMaps shadows = draw_shadow_maps(scene, light_window);
+  stopwatch.end("shadow map");
+  const std::vector<PenumbraStrip> strips =
+      penumbra_strips(scene, light_window, silhouettes, shadows.surfaces, light.radius);
+  const DistortionMap map(strips, size, maps);
+  stopwatch.end("distortion maps");
+
+  result.values.assign(input.depth.words.size(), 1.0F);
+  const OcclusionLookup lookup(shadows.casters, strips, map, focal_length(light_window), lookups);
+  const OcclusionLookup::Count count = light_pixels(input, light_window, lookup, result.values);
+  stopwatch.end("pixels");
+
+  MethodAccesses& accesses = result.accesses;
+  accesses.z_reads = input.depth.words.size();
+  accesses.li_writes = input.depth.words.size();
+  accesses.map_reads = shadows.compared + map.compared() + count.depth_reads + count.map_reads;
+  accesses.map_writes = shadows.compared + map.written();
+  accesses.bytes =
+      kWordBytes * (accesses.z_reads + accesses.li_writes + accesses.map_reads + shadows.compared) +
+      kTexelBytes * map.written();
+  return result;
+}
+
+constexpr std::array<std::string_view, 3> kCompared{
+    "occlusion-camera", "occlusion-camera:resolution=512", "occlusion-camera:lookups=1"};
+constexpr std::array<std::string_view, 3> kArtifacts{"crowded-distortion-map",
+                                                     "overlapping-penumbrae", "false-shadows"};
+
+}  // namespace
+
+const Method kOcclusionCamera{
+    .name = "occlusion-camera",
+    .summary = "A shadow map whose rays bend round silhouettes",
+    .source = "Soft shadow occlusion camera, 3.2",
+    .options =
+        "resolution=128…4096 (1024), maps=1…2 (2), lookups=1…4 (3), texels=1, 4 (4), "
+        "bias=0…100 (2)",
+    .compared = kCompared,
+    .artifacts = kArtifacts,
+    .render = render};
+
+}  // namespace wedgesim::functional

@@ -1,0 +1,148 @@
+#include "functional/methods/occlusion_lookup.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace wedgesim::functional {
+namespace {
+
+constexpr float kOwnDepth = 1.0F - 1e-4F;  // of a fragment's depth: what it may hide itself by
+constexpr float kSameWay = 0.9F;           // cosine between normals of one penumbra
+constexpr float kSameHeight = 0.25F;       // of a penumbra's width: how much those of one differ
+constexpr float kBeyond = 0.02F;           // of its depth range: how far a penumbra goes on
+constexpr std::size_t kMostLookups = 4;
+
+float smooth(float t) { return t * t * (3.0F - 2.0F * t); }
+
+}  // namespace
+
+// How one silhouette bends the light's ray to a fragment.
+struct OcclusionLookup::Bend {
+  glm::vec2 outward{0.0F};  // unit
+  float distance = 0.0F;    // texels from the silhouette to the fragment, outward
+  float half_width = 0.0F;  // texels of the penumbra at the fragment's depth; ≤ 0 before the edge
+  float inverse_near = 0.0F;
+  bool in_range = false;  // the fragment lies between z_near and z_far
+  float moved = 0.0F;     // texels outward
+  float visible = 1.0F;   // of the light, were there this silhouette alone
+
+  /// Whether another silhouette is a part of the same penumbra, as its normal, its depth and the
+  /// fragment's place to it tell: another piece of the edge, or another side of the caster.
+  bool same_penumbra(const Bend& other) const {
+    const bool as_high = std::abs(half_width - other.half_width) <=
+                         kSameHeight * std::max(half_width, other.half_width);
+    return as_high && (glm::dot(outward, other.outward) > kSameWay || other.distance < 0.0F);
+  }
+};
+
+float OcclusionLookup::visible(const Fragment& fragment, Count& count) const {
+  const float size = static_cast<float>(casters_.size);
+  const glm::vec2& p = fragment.place;
+  if (!(p.x >= 0.5F && p.y >= 0.5F && p.x < size - 0.5F && p.y < size - 0.5F)) return 1.0F;
+  if (!options_.interpolate) {
+    return visible_by_texel(fragment, static_cast<int>(p.x), static_cast<int>(p.y), count);
+  }
+  const int x = static_cast<int>(p.x - 0.5F);
+  const int y = static_cast<int>(p.y - 0.5F);
+  const float u = p.x - 0.5F - static_cast<float>(x);
+  const float v = p.y - 0.5F - static_cast<float>(y);
+  const std::array<float, 4> weight{(1.0F - u) * (1.0F - v), u * (1.0F - v), (1.0F - u) * v, u * v};
+  float sum = 0.0F;
+  for (int i = 0; i < 4; ++i) {
+    sum += weight[static_cast<std::size_t>(i)] *
+           visible_by_texel(fragment, std::min(x + i % 2, casters_.size - 1),
+                            std::min(y + i / 2, casters_.size - 1), count);
+  }
+  return sum;
+}
+
+bool OcclusionLookup::hidden(int x, int y, float depth, Count& count) const {
+  ++count.depth_reads;
+  return casters_.at(x, y) < depth;
+}
+
+// Whether a fragment is hidden from the place that its ray was bent to. A receiver's own surface
+// may be nearer there: the bias lets it be, as far as a slope of `bias` explains.
+bool OcclusionLookup::hidden_after(const glm::vec2& place, const Fragment& fragment,
+                                   Count& count) const {
+  const int x = static_cast<int>(std::floor(place.x));
+  const int y = static_cast<int>(std::floor(place.y));
+  if (x < 0 || y < 0 || x >= casters_.size || y >= casters_.size) return false;
+  const float moved = glm::distance(place, fragment.place) * fragment.depth * inverse_focal_;
+  return hidden(x, y, fragment.depth * kOwnDepth - static_cast<float>(options_.bias) * moved,
+                count);
+}
+
+StripName OcclusionLookup::name_at(const glm::vec2& place, bool inside, Count& count) const {
+  const int x = static_cast<int>(std::floor(place.x));
+  const int y = static_cast<int>(std::floor(place.y));
+  if (x < 0 || y < 0 || x >= casters_.size || y >= casters_.size) return {};
+  ++count.map_reads;
+  return map_.at(inside, x, y);
+}
+
+OcclusionLookup::Bend OcclusionLookup::bend(StripName name, const Fragment& fragment) const {
+  const PenumbraStrip& strip = strips_[name.strip()];
+  const glm::vec2 way = fragment.place - strip.begin;
+  Bend bend;
+  bend.outward = strip.outward();
+  bend.distance = glm::dot(way, bend.outward);
+  float along = std::clamp(glm::dot(way, strip.along) / strip.length, 0.0F, 1.0F);
+  if (name.part() != StripName::Part::edge) {
+    along = 0.0F;
+    const float sign = name.part() == StripName::Part::outer_corner ? 1.0F : -1.0F;
+    const float length = glm::length(way);
+    bend.distance = sign * length;
+    if (length > 0.0F) bend.outward = sign / length * way;
+  }
+  bend.inverse_near = strip.near_begin + along * (strip.near_end - strip.near_begin);
+  bend.half_width = strip.scale * (bend.inverse_near - 1.0F / fragment.depth);
+  if (bend.half_width <= 0.0F) {
+    // The silhouette is behind the fragment: look beyond its penumbra for another.
+    bend.moved = std::max(0.0F, strip.half_width(bend.inverse_near) - bend.distance);
+    return bend;
+  }
+  bend.in_range = fragment.depth <= strip.far + kBeyond * (strip.far - 1.0F / bend.inverse_near);
+  bend.moved = std::clamp(0.5F * (bend.half_width - bend.distance), 0.0F, bend.half_width);
+  bend.visible =
+      smooth(std::clamp(0.5F * (bend.half_width + bend.distance) / bend.half_width, 0.0F, 1.0F));
+  return bend;
+}
+
+float OcclusionLookup::visible_by_texel(const Fragment& fragment, int x, int y,
+                                        Count& count) const {
+  bool covered = hidden(x, y, fragment.depth * kOwnDepth, count);
+  if (!map_.holds(x, y)) return covered ? 0.0F : 1.0F;
+  ++count.map_reads;
+  StripName name = map_.at(covered, x, y);
+
+  std::array<Bend, kMostLookups> bends;
+  std::size_t found = 0;
+  for (int i = 0; i < options_.lookups && name.exists(); ++i) {
+    const Bend next = bend(name, fragment);
+    bool again = false;
+    for (std::size_t j = 0; j < found; ++j) again = again || bends[j].same_penumbra(next);
+    if (again) break;
+    const glm::vec2 place = fragment.place + next.moved * next.outward;
+    const bool still_hidden = hidden_after(place, fragment, count);
+    if (next.half_width > 0.0F) {
+      bends[found++] = next;
+      if (!still_hidden) covered = false;
+    }
+    if (i + 1 < options_.lookups) name = name_at(place, still_hidden, count);
+  }
+  if (covered) return 0.0F;
+  // Penumbrae whose depth range holds the fragment count; where there is none, the first.
+  float product = 1.0F;
+  bool any = false;
+  for (std::size_t j = 0; j < found; ++j) {
+    if (!bends[j].in_range) continue;
+    product *= bends[j].visible;
+    any = true;
+  }
+  return any || found == 0 ? product : bends[0].visible;
+}
+
+}  // namespace wedgesim::functional

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <span>
+
+#include "functional/methods/distortion_map.h"
+#include "functional/methods/light_depths.h"
+#include "functional/methods/penumbra_strips.h"
+
+namespace wedgesim::functional {
+
+/// What a point of the scene is to the light's camera.
+struct Fragment {
+  glm::vec2 place{0.0F};  // texels
+  float depth = 0.0F;     // world units along the camera's axis
+};
+
+/// The visible fraction of the light at fragments, by the maps of an occlusion camera.
+/// Source: soft shadow occlusion camera, 3.2.2, 3.2.3 and 4.
+class OcclusionLookup {
+ public:
+  struct Options {
+    int lookups = 3;          // most distortions of a fragment, 1 to 4
+    bool interpolate = true;  // between the four texels about a fragment
+    double bias = 2.0;        // see hidden_after
+  };
+  struct Count {
+    std::uint64_t depth_reads = 0, map_reads = 0;
+  };
+
+  OcclusionLookup(const LightDepths& casters, std::span<const PenumbraStrip> strips,
+                  const DistortionMap& map, double focal, const Options& options)
+      : casters_(casters),
+        strips_(strips),
+        map_(map),
+        inverse_focal_(static_cast<float>(1.0 / focal)),
+        options_(options) {}
+
+  /// \return [0, 1]; 1 outside of the light's image
+  float visible(const Fragment& fragment, Count& count) const;
+
+ private:
+  struct Bend;
+  float visible_by_texel(const Fragment& fragment, int x, int y, Count& count) const;
+  bool hidden(int x, int y, float depth, Count& count) const;
+  bool hidden_after(const glm::vec2& place, const Fragment& fragment, Count& count) const;
+  StripName name_at(const glm::vec2& place, bool inside, Count& count) const;
+  Bend bend(StripName name, const Fragment& fragment) const;
+
+  const LightDepths& casters_;
+  std::span<const PenumbraStrip> strips_;
+  const DistortionMap& map_;
+  float inverse_focal_;
+  Options options_;
+};
+
+}  // namespace wedgesim::functional
