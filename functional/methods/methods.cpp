@@ -9,6 +9,7 @@
 #include "functional/methods/occlusion_camera.h"
 #include "functional/methods/raytraced.h"
 #include "functional/methods/renderer.h"
+#include "functional/methods/silhouette_rings.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -40,11 +41,7 @@ std::size_t digits_begin(std::string_view name) {
 
 std::span<const Method> methods() {
   static const std::array all{
-      kHard,
-      kRaytraced,
-      kCoverage,
-      kLinear,
-      kOcclusionCamera,
+      kHard, kRaytraced, kCoverage, kLinear, kOcclusionCamera, kSilhouetteRings,
   };
   return all;
 }

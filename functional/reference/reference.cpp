@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "base/check.h"
+#include "functional/light/unit_disc.h"
 #include "functional/scene/across.h"
 
 namespace wedgesim::functional {
@@ -76,17 +77,6 @@ Aperture aperture_from(const Light& light, const glm::dvec3& p) {
   }
   const auto [u, v] = Across(axis);
   return {light.centre, radius * u, radius * v, true};
-}
-
-// The unit square onto the unit disc, equal areas to equal areas (Shirley and Chiu).
-glm::dvec2 to_disc(const glm::dvec2& s) {
-  if (s.x == 0.0 && s.y == 0.0) return s;
-  if (std::abs(s.x) > std::abs(s.y)) {
-    const double angle = M_PI / 4.0 * (s.y / s.x);
-    return s.x * glm::dvec2(std::cos(angle), std::sin(angle));
-  }
-  const double angle = M_PI / 2.0 - M_PI / 4.0 * (s.x / s.y);
-  return s.y * glm::dvec2(std::cos(angle), std::sin(angle));
 }
 
 }  // namespace
