@@ -34,7 +34,7 @@ struct MethodAccesses {
 
 /// A part of a method's run time.
 struct Stage {
-  std::string name;  // "silhouettes", "volumes", "maps", "pixels"
+  std::string name;  // "tiles", "silhouettes", "volumes", "maps", "pixels"
   double seconds = 0.0;
 };
 

@@ -5,11 +5,13 @@
 #include <cctype>
 
 #include "base/error.h"
+#include "functional/methods/hard.h"
 #include "functional/methods/method.h"
 #include "functional/methods/occlusion_camera.h"
 #include "functional/methods/raytraced.h"
 #include "functional/methods/renderer.h"
 #include "functional/methods/silhouette_rings.h"
+#include "functional/methods/ssv.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -41,7 +43,15 @@ std::size_t digits_begin(std::string_view name) {
 
 std::span<const Method> methods() {
   static const std::array all{
-      kHard, kRaytraced, kCoverage, kLinear, kOcclusionCamera, kSilhouetteRings,
+      // One a line, in the order of the papers.
+      kHard,
+      kSampled,
+      kRaytraced,
+      kSsv,
+      kCoverage,
+      kLinear,
+      kOcclusionCamera,
+      kSilhouetteRings,
   };
   return all;
 }

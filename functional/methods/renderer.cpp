@@ -11,14 +11,14 @@ namespace {
 
 namespace fb = traces::fb;
 
-Visibility render_wedges(const MethodInput& input, const Scene& scene, fb::WedgeKind kind) {
+Visibility render_wedges(const MethodInput& input, fb::WedgeKind kind) {
   FrameOptions options;
   options.kind = kind;
   options.depth = &input.depth;
   options.depth_format = input.depth.format;
   Visibility result;
   Stopwatch stopwatch(result);
-  const Frame frame = make_frame(scene, options);
+  const Frame frame = make_frame(input.scene, options);
   result.values.resize(frame.trace.expected_li.size());
   std::ranges::transform(frame.trace.expected_li, result.values.begin(),
                          [](double li) { return static_cast<float>(li); });
@@ -28,19 +28,12 @@ Visibility render_wedges(const MethodInput& input, const Scene& scene, fb::Wedge
 
 Visibility render_coverage(const MethodInput& input, const MethodOptions& options) {
   options.check_all_known();
-  return render_wedges(input, input.scene, fb::WedgeKind_coverage);
+  return render_wedges(input, fb::WedgeKind_coverage);
 }
 
 Visibility render_linear(const MethodInput& input, const MethodOptions& options) {
   options.check_all_known();
-  return render_wedges(input, input.scene, fb::WedgeKind_linear);
-}
-
-Visibility render_hard(const MethodInput& input, const MethodOptions& options) {
-  options.check_all_known();
-  Scene scene = input.scene;
-  scene.light.shape = LightShape::point;
-  return render_wedges(input, scene, fb::WedgeKind_coverage);
+  return render_wedges(input, fb::WedgeKind_linear);
 }
 
 }  // namespace
@@ -60,13 +53,5 @@ const Method kLinear{.name = "linear",
                      .compared = {},
                      .artifacts = {},
                      .render = render_linear};
-
-const Method kHard{.name = "hard",
-                   .summary = "Shadow volumes from the light's centre",
-                   .source = "Crow 1977, as Paper II, 2",
-                   .options = "",
-                   .compared = {},
-                   .artifacts = {},
-                   .render = render_hard};
 
 }  // namespace wedgesim::functional

@@ -7,6 +7,5 @@ namespace wedgesim::functional {
 /// The renderer that makes traces, in double precision (frame.h): what the others are checked with.
 extern const Method kCoverage;
 extern const Method kLinear;
-extern const Method kHard;
 
 }  // namespace wedgesim::functional

@@ -1,7 +1,5 @@
 #include "functional/methods/shadow_geometry.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -11,28 +9,13 @@
 #include "functional/geometry/screen_builder.h"
 #include "functional/geometry/segment.h"
 #include "functional/geometry/silhouette.h"
+#include "functional/light/clearance.h"
 #include "functional/light/coverage.h"
 
 namespace wedgesim::functional {
 namespace {
 
 namespace fb = traces::fb;
-
-void check_light_is_clear(const Mesh& mesh, const Light& light, const glm::dmat4& to_light) {
-  for (const glm::dvec3& p : mesh.positions) {
-    const glm::dvec3 q(to_light * glm::dvec4(p, 1.0));
-    const bool clear = light.shape == LightShape::rectangle ? q.z > 0.0
-                       : light.shape == LightShape::sphere  ? glm::dot(q, q) > 1.0
-                                                            : glm::dot(q, q) > 0.0;
-    if (!clear) {
-      throw InputError(
-          mesh.name,
-          fmt::format("vertex ({:.6g}, {:.6g}, {:.6g}) is not clear of the light", p.x, p.y, p.z),
-          light.shape == LightShape::rectangle ? "casters in front of the rectangle's plane"
-                                               : "casters outside the light");
-    }
-  }
-}
 
 fb::Vec3 to_fb(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
@@ -54,7 +37,7 @@ class Builder {
 
   void add_caster(const Mesh& mesh, std::uint32_t object) {
     object_ = object;
-    check_light_is_clear(mesh, light_, to_light_);
+    check_light_is_clear(mesh, light_);
     caster_ = static_cast<std::uint32_t>(trace_.header.casters.size());
     trace_.header.casters.push_back(
         {mesh.name, static_cast<std::uint32_t>(mesh.triangles.size()), false});

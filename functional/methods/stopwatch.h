@@ -1,8 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <string>
-#include <utility>
+#include <string_view>
 
 #include "functional/methods/method.h"
 
@@ -12,11 +13,14 @@ namespace wedgesim::functional {
 class Stopwatch {
  public:
   explicit Stopwatch(Visibility& visibility) : visibility_(visibility) {}
-  /// Ends a stage that began with the last call, or with the stopwatch.
-  void end(std::string stage) {
+  /// Ends a stage that began with the last call, or with the stopwatch. What has the name of an
+  /// earlier stage is added to it.
+  void end(std::string_view stage) {
     const Clock::time_point now = Clock::now();
-    visibility_.stages.push_back(
-        {std::move(stage), std::chrono::duration<double>(now - begin_).count()});
+    auto& stages = visibility_.stages;
+    auto same = std::ranges::find(stages, stage, &Stage::name);
+    if (same == stages.end()) same = stages.insert(same, {std::string(stage), 0.0});
+    same->seconds += std::chrono::duration<double>(now - begin_).count();
     begin_ = now;
   }
 

@@ -84,7 +84,7 @@ TEST_F(Render, BadOptionsAreRefusedAndNothingIsWritten) {
       {{"--frame", "9999"}, {"--frame", "no frame 9999"}},
       {{"--frame", "-1"}, {"--frame", "-1"}},
       {{"--frame", "1.5"}, {"--frame", "1.5"}},
-      {{"--method", "guess"}, {"--method", "guess", "hard, raytraced"}},
+      {{"--method", "guess"}, {"--method", "guess", "hard, sampled, raytraced"}},
       {{"--samples", "0"}, {"--samples", "0"}},
       {{"--light", "tube"}, {"--light", "tube", "rect, sphere"}},
       {{"--mesh", "/nowhere/x.obj"}, {"/nowhere/x.obj"}},

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "functional/methods/frame.h"
+#include "functional/methods/method.h"
 #include "functional/reference/reference.h"
 #include "functional/scene/scene_file.h"
 
@@ -32,15 +33,17 @@ struct Difference {
   int penumbra = 0;
 };
 
-Difference compare(const Scene& scene, const Frame& frame, const std::vector<float>& reference) {
+template <typename Values>
+Difference compare(const Scene& scene, const DepthBuffer& depth, const Values& values,
+                   const std::vector<float>& reference) {
   Difference difference;
   double sum = 0.0;
   double penumbra_sum = 0.0;
   for (std::size_t pixel = 0; pixel < reference.size(); ++pixel) {
-    if (frame.depth.triangle[pixel] == DepthBuffer::kSky) continue;
-    if (scene.objects[frame.depth.surface(pixel).object].casts) continue;
+    if (depth.triangle[pixel] == DepthBuffer::kSky) continue;
+    if (scene.objects[depth.surface(pixel).object].casts) continue;
     const double truth = static_cast<double>(reference[pixel]);
-    const double error = std::clamp(frame.trace.expected_li[pixel], 0.0, 1.0) - truth;
+    const double error = std::clamp(static_cast<double>(values[pixel]), 0.0, 1.0) - truth;
     ++difference.pixels;
     sum += error * error;
     if (std::abs(error) > 0.1) ++difference.far_off;
@@ -52,6 +55,24 @@ Difference compare(const Scene& scene, const Frame& frame, const std::vector<flo
   difference.rms = std::sqrt(sum / std::max(difference.pixels, 1));
   difference.penumbra_rms = std::sqrt(penumbra_sum / std::max(difference.penumbra, 1));
   return difference;
+}
+
+Difference compare(const Scene& scene, const Frame& frame, const std::vector<float>& reference) {
+  return compare(scene, frame.depth, frame.trace.expected_li, reference);
+}
+
+// The fast method, by its default options.
+Difference compare_ssv(const Scene& scene, const Frame& frame,
+                       const std::vector<float>& reference) {
+  const Visibility ssv =
+      render_method({scene, frame.window, frame.depth}, choose_method("test", "ssv"));
+  return compare(scene, frame.depth, ssv.values, reference);
+}
+
+void expect_close(const Difference& difference) {
+  EXPECT_LE(difference.rms, kMostRms);
+  EXPECT_LE(difference.penumbra_rms, kMostPenumbraRms);
+  EXPECT_LE(difference.far_off, kMostFarOff);
 }
 
 void print(const std::string& name, const Difference& difference) {
@@ -81,9 +102,10 @@ TEST_P(Truth, CoverageIsCloseToRays) {
   const Difference coverage = compare(scene, frame, reference);
   print(GetParam() + " coverage", coverage);
   EXPECT_GT(coverage.penumbra, 2000);
-  EXPECT_LE(coverage.rms, kMostRms);
-  EXPECT_LE(coverage.penumbra_rms, kMostPenumbraRms);
-  EXPECT_LE(coverage.far_off, kMostFarOff);
+  expect_close(coverage);
+  const Difference ssv = compare_ssv(scene, frame, reference);
+  print(GetParam() + " ssv", ssv);
+  expect_close(ssv);
 
   FrameOptions linear;
   linear.kind = traces::fb::WedgeKind_linear;
@@ -97,12 +119,14 @@ TEST(TruthOfSpheres, CoverageIsCloseToRays) {
   options.light_shape = LightShape::sphere;
   const Scene scene = load_scene("plain-columns", options);
   const Frame frame = make_frame(scene);
-  const Difference coverage =
-      compare(scene, frame, reference_visibility(scene, frame.window, frame.depth, kRays));
+  const std::vector<float> reference =
+      reference_visibility(scene, frame.window, frame.depth, kRays);
+  const Difference coverage = compare(scene, frame, reference);
   print("plain-columns, sphere, coverage", coverage);
-  EXPECT_LE(coverage.rms, kMostRms);
-  EXPECT_LE(coverage.penumbra_rms, kMostPenumbraRms);
-  EXPECT_LE(coverage.far_off, kMostFarOff);
+  expect_close(coverage);
+  const Difference ssv = compare_ssv(scene, frame, reference);
+  print("plain-columns, sphere, ssv", ssv);
+  expect_close(ssv);
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "functional/geometry/extent.h"
+#include "functional/geometry/silhouette.h"
+#include "functional/raster/screen_volume.h"
+#include "functional/raster/window.h"
+#include "functional/scene/scene.h"
+
+namespace wedgesim::functional {
+
+/// How volumes count: z-pass but z-fail for casters whose volume the near pyramid meets, or one of
+/// them for all.
+enum class ZChoice { automatic, pass, fail };
+
+/// A caster as a light's centre sees it.
+struct ShadowCaster {
+  const Mesh* mesh = nullptr;
+  Silhouette silhouette;
+  EndPlane end_plane;  // where its volumes end
+};
+
+/// Silhouettes of all casters that have one, and where their volumes end.
+/// \throws InputError if the light touches a caster or its penumbra spans a half-space
+std::vector<ShadowCaster> find_casters(const Scene& scene, const Light& light);
+
+/// Shadow volumes on the screen: the umbra polygons of all silhouette edges, each with the coverage
+/// wedge (wedge.h) of a light with extent; caps and bottoms where z-fail needs them.
+/// \throws InputError if z-pass is asked for where it is wrong
+std::vector<ScreenSide> build_volumes(const Scene& scene, const Window& window, const Light& light,
+                                      const std::vector<ShadowCaster>& casters, ZChoice z);
+
+}  // namespace wedgesim::functional
