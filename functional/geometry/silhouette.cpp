@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <unordered_map>
+#include <utility>
 
 #include "base/check.h"
 
@@ -43,14 +44,20 @@ std::vector<SilhouetteEdge> boundary_of(const Mesh& mesh, const std::vector<bool
 }  // namespace
 
 Silhouette find_silhouette(const Mesh& mesh, const glm::dvec3& from) {
-  Silhouette silhouette;
-  silhouette.light_facing.reserve(mesh.triangles.size());
+  std::vector<bool> light_facing;
+  light_facing.reserve(mesh.triangles.size());
   for (const auto& corner : mesh.triangles) {
     const glm::dvec3& p = mesh.positions[corner[0]];
     const glm::dvec3 normal =
         glm::cross(mesh.positions[corner[1]] - p, mesh.positions[corner[2]] - p);
-    silhouette.light_facing.push_back(glm::dot(normal, from - p) > 0.0);
+    light_facing.push_back(glm::dot(normal, from - p) > 0.0);
   }
+  return find_outline(mesh, std::move(light_facing));
+}
+
+Silhouette find_outline(const Mesh& mesh, std::vector<bool> inside) {
+  Silhouette silhouette;
+  silhouette.light_facing = std::move(inside);
   const std::vector<SilhouetteEdge> edges = boundary_of(mesh, silhouette.light_facing);
   std::unordered_multimap<std::uint32_t, std::size_t> leaving;  // by begin vertex
   for (std::size_t i = edges.size(); i-- > 0;) leaving.emplace(edges[i].begin, i);

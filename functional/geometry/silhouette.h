@@ -26,4 +26,9 @@ struct Silhouette {
 /// silhouettes). A triangle faces the point iff the point is strictly in front of it.
 Silhouette find_silhouette(const Mesh& mesh, const glm::dvec3& from);
 
+/// The outline of any set of triangles of such a mesh: its edges have a triangle of the set on
+/// their left, another on their right.
+/// \param inside  of each triangle, kept as `light_facing`
+Silhouette find_outline(const Mesh& mesh, std::vector<bool> inside);
+
 }  // namespace wedgesim::functional

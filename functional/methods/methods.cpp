@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "base/error.h"
+#include "functional/methods/d_buffer.h"
 #include "functional/methods/hard.h"
 #include "functional/methods/method.h"
 #include "functional/methods/occlusion_camera.h"
@@ -44,14 +45,8 @@ std::size_t digits_begin(std::string_view name) {
 std::span<const Method> methods() {
   static const std::array all{
       // One a line, in the order of the papers.
-      kHard,
-      kSampled,
-      kRaytraced,
-      kSsv,
-      kCoverage,
-      kLinear,
-      kOcclusionCamera,
-      kSilhouetteRings,
+      kHard,    kSampled,         kRaytraced,       kSsv, kCoverage, kLinear,
+      kDBuffer, kOcclusionCamera, kSilhouetteRings,
   };
   return all;
 }

@@ -35,8 +35,10 @@ void prepare(const LightView& view, std::uint32_t index, const std::array<glm::d
   const std::vector<WindowPoint> points = clip_to_window(view, corners);
   if (points.size() < 3) return;
   for (const std::vector<SnappedPoint>& part : convex_parts(snap(points))) {
-    if (doubled_area(part) == 0) continue;
+    const std::int64_t area = doubled_area(part);
+    if (area == 0) continue;
     MapTriangle triangle;
+    triangle.faces_light = area < 0;
     triangle.index = index;
     CHECK_LE(part.size(), triangle.outline.size());
     std::copy(part.begin(), part.end(), triangle.outline.begin());

@@ -60,8 +60,9 @@ struct TexelPlane {
 
 /// What of a triangle is in a map.
 struct MapTriangle {
-  std::uint32_t index = 0;  // of the triangle in the list it came from
-  double w_low = 0.0;       // of its clipped outline
+  std::uint32_t index = 0;   // of the triangle in the list it came from
+  bool faces_light = false;  // wound counter-clockwise as the light sees it
+  double w_low = 0.0;        // of its clipped outline
   double w_high = 0.0;
   TexelPlane inverse_w;  // 1/w of its points
   /// f/w of a function f that is linear on the triangle in the world, by its values at the corners.

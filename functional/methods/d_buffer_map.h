@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "functional/geometry/disk_volumes.h"
+#include "functional/raster/light_map.h"
+#include "functional/scene/scene.h"
+
+namespace wedgesim::functional {
+
+/// Which of several crossings of a ray with umbra (penumbra) volumes a texel keeps.
+enum class Crossing {
+  by_caster,  // of one caster the nearest, which trims its umbra quads; of several the farthest
+  farthest,   // of all: the paper's choice for concave and overlapping occluders
+  nearest     // of all
+};
+
+struct DBufferOptions {
+  int resolution = 1024;
+  Distances distances = Distances::exact;
+  Crossing crossing = Crossing::by_caster;
+  /// |cx_s| kept for the umbra and the penumbra apart; without, one |cx_s|, and texels behind whose
+  /// occluder the umbra is hold no penumbra (the paper's stencil).
+  bool two_edges = false;
+};
+
+/// What the light disk's centre c sees in each texel, as distances from c (seed 002, section 3).
+/// Beyond where a distance is not there, infinity stands for it.
+struct DBuffer {
+  LightView view;                    // of width 0 if nothing casts
+  int width = 0;                     // texels of one row
+  std::vector<float> occluder;       // |cx_o|: where the ray first leaves a caster
+  std::vector<float> umbra;          // |cx_uv|: where it leaves the umbra; 0 where it enters none
+  std::vector<float> penumbra;       // |cx_pv|: where it enters the penumbra
+  std::vector<float> umbra_edge;     // |cx_s| for |cx_uv|
+  std::vector<float> penumbra_edge;  // |cx_s| for |cx_pv|
+  std::uint64_t tests = 0;           // texels that drawn triangles cover, each read once
+  std::uint64_t writes = 0;          // texels that they changed
+};
+
+/// Draws the D-buffer of a scene.
+/// \param volumes, silhouettes  of each object that casts, in order
+DBuffer draw_d_buffer(const Scene& scene, const LightDisk& disk,
+                      const std::vector<DiskSilhouettes>& silhouettes,
+                      const std::vector<DiskVolumes>& volumes, const DBufferOptions& options);
+
+}  // namespace wedgesim::functional
