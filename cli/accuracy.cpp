@@ -15,6 +15,7 @@
 #include "cli/progress.h"
 #include "cli/scene_arguments.h"
 #include "reports/accuracy/accuracy_json.h"
+#include "reports/accuracy/accuracy_page.h"
 #include "reports/accuracy/accuracy_text.h"
 #include "reports/accuracy/claim_results.h"
 #include "reports/accuracy/views.h"
@@ -28,7 +29,7 @@ namespace accuracy = reports::accuracy;
 struct Arguments {
   std::vector<std::string> scenes, methods;
   SceneArguments scene;  // what holds for every scene
-  std::string rays = "4096", repetitions = "5", max_error, budget, json, claims, meshes = ".";
+  std::string rays = "4096", repetitions = "5", max_error, budget, json, out, claims, meshes = ".";
   bool published = false;
 };
 
@@ -112,8 +113,12 @@ int run(const Arguments& arguments) {
   for (const std::string& output : {arguments.json, arguments.claims}) {
     if (!output.empty()) require_writable(output);
   }
+  if (!arguments.out.empty()) {
+    require_writable(std::filesystem::path(arguments.out) / "accuracy.html");
+  }
   const accuracy::Wish* asked = wish ? &*wish : nullptr;
   std::vector<accuracy::SceneResult> results;
+  std::vector<accuracy::Pictures> pictures;
   bool met = true;
   for (const Job& job : jobs_of(arguments)) {
     std::optional<functional::Scene> scene = load_scene(arguments, job.scene);
@@ -127,10 +132,17 @@ int run(const Arguments& arguments) {
       }));
     }
     print(accuracy::accuracy_text(results.back(), asked));
+    if (!arguments.out.empty()) {
+      pictures.push_back(accuracy::write_pictures(arguments.out, results));
+    }
+    for (accuracy::Measured& measured : results.back().methods) measured.visibility.clear();
     met = met && (!wish || accuracy::recommend(results.back().methods, *wish).method.has_value());
   }
   if (!arguments.json.empty()) {
     reports::write_json(arguments.json, accuracy::accuracy_json(options, results, asked));
+  }
+  if (!arguments.out.empty()) {
+    accuracy::write_accuracy(arguments.out, options, results, pictures, asked);
   }
   if (!arguments.claims.empty()) {
     const reports::Results measured = accuracy::claim_results(results);
@@ -177,10 +189,15 @@ Command add_accuracy(CLI::App& program) {
       ->type_name("DIR")
       ->capture_default_str();
   app->add_option("--json", arguments->json, "Write the results as JSON, too")->type_name("FILE");
+  app->add_option(
+         "-o,--output", arguments->out,
+         "A folder for accuracy.html, accuracy.json and pictures/SCENE_METHOD.png: method, "
+         "reference, difference")
+      ->type_name("DIR");
   app->footer(
       "Exit code 1 if a scene has no method that meets --max-error and --budget.\n"
       "Examples:\n"
-      "  wedgesim accuracy plain-columns text2002\n"
+      "  wedgesim accuracy plain-columns text2002 -o out/accuracy\n"
       "  wedgesim accuracy overlap --max-error 0.02\n"
       "  wedgesim accuracy columns --method ssv --method sampled-64 --size 320x213");
   return {app, [arguments] { return run(*arguments); }};

@@ -7,8 +7,6 @@
 namespace wedgesim::reports::accuracy {
 namespace {
 
-double seconds_of(const Measured& measured) { return measured.timing.all_threads; }
-
 std::string words_of(const Measured& measured) {
   return fmt::format("{} (RMSE {:.4f}, {:.1f} ms)", measured.choice.text, error_of(measured),
                      1e3 * seconds_of(measured));
@@ -57,15 +55,21 @@ std::string nearest_misses(const std::vector<Measured>& methods, const Wish& wis
 
 double error_of(const Measured& measured) { return measured.on(Region::receivers).rmse; }
 
+double seconds_of(const Measured& measured) { return measured.timing.all_threads; }
+
+double bytes_of(const Measured& measured) { return static_cast<double>(measured.accesses.bytes); }
+
 std::vector<std::size_t> pareto_front(const std::vector<Measured>& methods) {
+  return pareto_front(methods, seconds_of);
+}
+
+std::vector<std::size_t> pareto_front(const std::vector<Measured>& methods, Cost cost) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < methods.size(); ++i) {
     if (!methods[i].refused) order.push_back(i);
   }
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-    if (seconds_of(methods[a]) != seconds_of(methods[b])) {
-      return seconds_of(methods[a]) < seconds_of(methods[b]);
-    }
+    if (cost(methods[a]) != cost(methods[b])) return cost(methods[a]) < cost(methods[b]);
     return error_of(methods[a]) < error_of(methods[b]);
   });
   std::vector<std::size_t> front;

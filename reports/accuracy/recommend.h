@@ -16,6 +16,13 @@ double error_of(const Measured& measured);
 /// \return indices into the scene's methods
 std::vector<std::size_t> pareto_front(const std::vector<Measured>& methods);
 
+/// What a choice costs.
+using Cost = double (*)(const Measured&);
+double seconds_of(const Measured& measured);  // run time on all threads
+double bytes_of(const Measured& measured);    // of all its accesses
+/// The same for any cost, the cheapest first.
+std::vector<std::size_t> pareto_front(const std::vector<Measured>& methods, Cost cost);
+
 /// What is asked of a method; at least one is given.
 struct Wish {
   std::optional<double> max_error;       // RMSE on receivers, units of full light

@@ -11,11 +11,13 @@
     return {wedgesim_asset_##name, wedgesim_asset_##name##_end};                       \
   }
 
+WEDGESIM_ASSET(shell, "shell.html")
 WEDGESIM_ASSET(html, "page.html")
 WEDGESIM_ASSET(css, "page.css")
 WEDGESIM_ASSET(script, "page.js")
 WEDGESIM_ASSET(stress_html, "stress.html")
-WEDGESIM_ASSET(stress_script, "stress.js")
+WEDGESIM_ASSET(accuracy_html, "accuracy.html")
+WEDGESIM_ASSET(row_charts_script, "row_charts.js")
 WEDGESIM_ASSET(vega, "vega.min.js")
 WEDGESIM_ASSET(vega_lite, "vega-lite.min.js")
 WEDGESIM_ASSET(vega_embed, "vega-embed.min.js")

@@ -114,7 +114,10 @@ Json colour_channel(const std::vector<std::string>& series) {
 
 Json shape_channel(const std::vector<std::string>& series) {
   Json range = Json::array();
-  for (std::size_t i = 0; i < series.size(); ++i) range.push_back(kShapes[i % kColours]);
+  // Another shape in each round of colours: no pair of them comes twice among 64 series.
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    range.push_back(kShapes[(i + i / kColours) % kColours]);
+  }
   return {{"field", "s"},
           {"type", "nominal"},
           {"scale", {{"domain", series}, {"range", range}}},

@@ -19,6 +19,7 @@ Json x_channel(const Column& column, bool log);
 Json y_channel(const std::string& field, const std::string& title, bool log, bool from_zero);
 /// Colours of series, without a legend: the page has buttons for it.
 Json colour_channel(const std::vector<std::string>& series);
+/// A shape of each series; no two of up to 64 have both shape and colour in common.
 Json shape_channel(const std::vector<std::string>& series);
 /// Fainter for series that are not chosen.
 Json opacity_channel(double full);

@@ -12,6 +12,7 @@
 #include "model/count/count.h"
 #include "reports/page/chart.h"
 #include "reports/page/names.h"
+#include "reports/page/small_picture.h"
 #include "reports/picture.h"
 #include "reports/runner/frames.h"
 #include "reports/runner/value.h"
@@ -22,7 +23,7 @@ namespace {
 
 constexpr std::size_t kMostFrames = 3;
 constexpr std::size_t kMostPixels = 4U << 20U;  // of a frame that is counted again
-constexpr int kWidth = 320;                     // of a picture in the page, at most
+constexpr int kMostWidth = 320;                 // of a picture in the page
 
 model::CountConfig config_of(const Values& values) {
   const auto word = [&values](const char* key) { return to_text(find_value(values, key)); };
@@ -35,34 +36,6 @@ model::CountConfig config_of(const Values& values) {
   config.share = model::parse<model::Share>("block.share", word("block.share"));
   config.z = model::parse<model::ZChoice>("block.z", word("block.z"));
   return config;
-}
-
-// The mean of each square of pixels, at most kWidth of them side by side.
-Image reduced(const Image& image) {
-  const int step = (image.width + kWidth - 1) / kWidth;
-  Image small((image.width + step - 1) / step, (image.height + step - 1) / step, image.channels);
-  for (int y = 0; y < small.height; ++y) {
-    for (int x = 0; x < small.width; ++x) {
-      const int x_end = std::min((x + 1) * step, image.width);
-      const int y_end = std::min((y + 1) * step, image.height);
-      const auto pixels = static_cast<float>((x_end - x * step) * (y_end - y * step));
-      for (int j = y * step; j < y_end; ++j) {
-        for (int i = x * step; i < x_end; ++i) {
-          for (int c = 0; c < image.channels; ++c) {
-            small.pixel(x, y)[c] += image.pixel(i, j)[c] / pixels;
-          }
-        }
-      }
-    }
-  }
-  return small;
-}
-
-std::string png_of(const Image& image, const std::filesystem::path& scratch) {
-  write_image(scratch, image);
-  std::string bytes(MappedFile(scratch).text());
-  std::filesystem::remove(scratch);
-  return bytes;
 }
 
 /// One kind of access of one configuration.
@@ -119,7 +92,7 @@ class FrameMaps {
     }
     Image image(width_, height_, 1);
     image.values = counted.values;
-    counted.small = reduced(image);
+    counted.small = reduced(image, kMostWidth);
     counted_.push_back(std::move(counted));
   }
 
@@ -221,7 +194,7 @@ void add_heat_maps(const Columns& columns, const std::filesystem::path& folder, 
     std::ranges::move(maps, std::back_inserter(page.maps));
     const std::filesystem::path shaded = folder / (frame.label + "_shaded.png");
     if (!std::filesystem::is_regular_file(shaded)) continue;
-    page.pictures.push_back({frame.label, png_of(reduced(read_image(shaded)),
+    page.pictures.push_back({frame.label, png_of(reduced(read_image(shaded), kMostWidth),
                                                  folder / "maps" / (frame.label + ".png"))});
   }
 }

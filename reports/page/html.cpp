@@ -35,6 +35,14 @@ std::string element(std::string_view tag, std::string_view text) {
   return '<' + name + '>' + escape(text) + "</" + name + '>';
 }
 
+std::string fact(std::size_t number, std::string_view what) {
+  return "<li><strong>" + std::to_string(number) + "</strong> " + escape(what) + "</li>\n";
+}
+
+std::string number_heading(std::string_view name) {
+  return "<th scope=\"col\" class=\"number\">" + escape(name) + "</th>";
+}
+
 std::string script_json(const Json& json) {
   std::string safe;
   for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {

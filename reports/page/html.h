@@ -14,6 +14,12 @@ std::string escape(std::string_view text);
 /// "<tag>escaped text</tag>"
 std::string element(std::string_view tag, std::string_view text);
 
+/// A number and what it counts, in a list of class "facts".
+std::string fact(std::size_t number, std::string_view what);
+
+/// A table's heading of a column of numbers.
+std::string number_heading(std::string_view name);
+
 /// JSON that a script element may hold: no "<" in it.
 std::string script_json(const Json& json);
 

@@ -4,6 +4,7 @@
 #include "reports/page/assets.h"
 #include "reports/page/html.h"
 #include "reports/page/page_data.h"
+#include "reports/page/shell.h"
 #include "reports/page/summary.h"
 
 namespace wedgesim::reports::page {
@@ -31,22 +32,19 @@ std::string page_html(const Page& page) {
   const std::string maps_body = page.maps.empty() ? "" : "<div id=\"maps\"></div>\n";
   std::string downloads = downloads_html(page.downloads);
   if (!downloads.empty()) downloads = "<ul class=\"downloads\">\n" + downloads + "</ul>\n";
-  return fill(assets::html(),
-              {{"title", escape(title_of(study))},
-               {"name", escape(study.name)},
-               {"question", study.question.empty() ? "" : element("p", study.question)},
-               {"summary", summary_html(columns)},
-               {"charts", section("charts", "Charts", charts_body)},
-               {"maps", section("heat-maps", "Accesses, pixel by pixel", maps_body)},
-               {"sections", sections_html(page.sections)},
-               {"downloads", section("downloads", "Downloads", downloads)},
-               {"css", std::string(assets::css())},
-               {"licences", std::string(assets::licences())},
-               {"data", script_json(page_data(page, columns, charts))},
-               {"vega", std::string(assets::vega())},
-               {"vega_lite", std::string(assets::vega_lite())},
-               {"vega_embed", std::string(assets::vega_embed())},
-               {"script", std::string(assets::script())}});
+  return in_shell(
+      {.title = title_of(study),
+       .kind = "study " + element("code", study.name),
+       .question = study.question,
+       .name = "study",
+       .body = fill(assets::html(),
+                    {{"summary", summary_html(columns)},
+                     {"charts", section("charts", "Charts", charts_body)},
+                     {"maps", section("heat-maps", "Accesses, pixel by pixel", maps_body)},
+                     {"sections", sections_html(page.sections)},
+                     {"downloads", section("downloads", "Downloads", downloads)}}),
+       .data = page_data(page, columns, charts),
+       .script = assets::script()});
 }
 
 void write_page(const std::filesystem::path& path, const Page& page) {

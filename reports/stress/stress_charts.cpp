@@ -62,13 +62,6 @@ Json error_channel(const std::string& title, const Json& rows) {
                                       difficulty_text(kLeast), kPowers)}}}};
 }
 
-Json mark_channels(Json x, Json y) {
-  return {{"x", std::move(x)},
-          {"y", std::move(y)},
-          {"color", page::colour_channel(names())},
-          {"opacity", page::opacity_channel(1.0)}};
-}
-
 // A horizontal rule at each bar, its name at the left.
 Json bar_layers(const std::vector<std::pair<double, std::string>>& bars) {
   Json values = Json::array();
@@ -108,10 +101,10 @@ void add_required(const FamilyResult& result, const Json& x, Json& layers) {
 
 Json tooltip(const std::string& x_title, const std::string& y_title, bool with_case) {
   Json fields = Json::array();
-  if (with_case) fields.push_back({{"field", "case"}, {"type", "nominal"}, {"title", "case"}});
-  fields.push_back({{"field", "s"}, {"type", "nominal"}, {"title", "arithmetic"}});
-  fields.push_back({{"field", "x_text"}, {"type", "nominal"}, {"title", x_title}});
-  fields.push_back({{"field", "y_text"}, {"type", "nominal"}, {"title", y_title}});
+  if (with_case) fields.push_back(page::tooltip_field("case", "case"));
+  fields.push_back(page::tooltip_field("s", "arithmetic"));
+  fields.push_back(page::tooltip_field("x_text", x_title));
+  fields.push_back(page::tooltip_field("y_text", y_title));
   return fields;
 }
 
@@ -123,8 +116,8 @@ Json row_of(Json x, const std::string& x_text, Arithmetic arithmetic, double err
           {"y_text", error_text(error)}};
 }
 
-StressChart level_chart(const FamilyResult& result, double Errors::*what, StressChart chart,
-                        const std::vector<std::pair<double, std::string>>& bars) {
+page::RowChart level_chart(const FamilyResult& result, double Errors::*what, page::RowChart chart,
+                           const std::vector<std::pair<double, std::string>>& bars) {
   const Family& family = *result.family;
   chart.rows = Json::array();
   std::vector<std::string> parts;
@@ -150,9 +143,9 @@ StressChart level_chart(const FamilyResult& result, double Errors::*what, Stress
   const Json y = error_channel("LI error", chart.rows);
   Json layers = bar_layers(bars);
   add_required(result, x, layers);
-  layers.push_back(
-      {{"mark", {{"type", "line"}, {"strokeWidth", 2}}}, {"encoding", mark_channels(x, y)}});
-  Json points = mark_channels(x, y);
+  layers.push_back({{"mark", {{"type", "line"}, {"strokeWidth", 2}}},
+                    {"encoding", page::mark_channels(names(), x, y)}});
+  Json points = page::mark_channels(names(), x, y);
   points["shape"] = page::shape_channel(names());
   points["tooltip"] = tooltip(std::string(family.parameter), chart.title, false);
   layers.push_back(
@@ -172,10 +165,10 @@ Json log_channel(const std::string& title, bool powers) {
 }
 
 // Marks of all families, with what else is drawn.
-void fill_scatter(StressChart& chart, const std::string& x_title, Json x,
+void fill_scatter(page::RowChart& chart, const std::string& x_title, Json x,
                   const std::string& y_title, Json layers) {
   chart.spec = page::new_spec(chart.title + ". " + chart.caption);
-  Json dots = mark_channels(std::move(x), error_channel(y_title, chart.rows));
+  Json dots = page::mark_channels(names(), std::move(x), error_channel(y_title, chart.rows));
   dots["opacity"] = page::opacity_channel(0.75);
   dots["shape"] = page::shape_channel(names());
   dots["tooltip"] = tooltip(x_title, y_title, true);
@@ -238,22 +231,22 @@ std::string error_text(double error) {
   return text;
 }
 
-StressChart excess_chart(const FamilyResult& result) {
-  StressChart chart{
+page::RowChart excess_chart(const FamilyResult& result) {
+  page::RowChart chart{
       family_name(result) + "-excess", "Largest error beyond sensitivity", {}, {}, {}};
   return level_chart(result, &Errors::max_excess, std::move(chart),
                      {{tolerance_of(Arithmetic::fixed), "bar of fixed, float32"},
                       {tolerance_of(Arithmetic::double_precision), "bar of double, renderer"}});
 }
 
-StressChart rms_chart(const FamilyResult& result) {
-  StressChart chart{family_name(result) + "-rms", "RMS error", {}, {}, {}};
+page::RowChart rms_chart(const FamilyResult& result) {
+  page::RowChart chart{family_name(result) + "-rms", "RMS error", {}, {}, {}};
   return level_chart(result, &Errors::rms, std::move(chart),
                      {{kLargestRms, "bar of fixed, float32"}});
 }
 
-StressChart time_chart(const std::vector<FamilyResult>& results) {
-  StressChart chart{"time", "RMS error over run time", {}, {}, Json::array()};
+page::RowChart time_chart(const std::vector<FamilyResult>& results) {
+  page::RowChart chart{"time", "RMS error over run time", {}, {}, Json::array()};
   std::vector<std::string> parts;
   for (const Arithmetic a :
        {Arithmetic::fixed, Arithmetic::float32, Arithmetic::double_precision}) {
@@ -286,8 +279,8 @@ StressChart time_chart(const std::vector<FamilyResult>& results) {
   return chart;
 }
 
-StressChart condition_chart(const std::vector<FamilyResult>& results) {
-  StressChart chart{"condition", "Error over condition number", {}, {}, Json::array()};
+page::RowChart condition_chart(const std::vector<FamilyResult>& results) {
+  page::RowChart chart{"condition", "Error over condition number", {}, {}, Json::array()};
   double largest = 1.0;
   for (const FamilyResult& result : results) {
     for (std::size_t i = 0; i < result.levels.size(); ++i) {

@@ -8,8 +8,9 @@
 #include "base/file.h"
 #include "base/image.h"
 #include "reports/page/assets.h"
-#include "reports/page/chart.h"
 #include "reports/page/html.h"
+#include "reports/page/row_charts.h"
+#include "reports/page/shell.h"
 #include "reports/stress/case_name.h"
 #include "reports/stress/stress_charts.h"
 #include "reports/stress/stress_json.h"
@@ -23,10 +24,6 @@ using page::element;
 using page::escape;
 
 constexpr int kScale = 6;  // of pictures in the page
-
-std::string fact(std::size_t number, std::string_view what) {
-  return fmt::format("<li><strong>{}</strong> {}</li>\n", number, escape(what));
-}
 
 std::string summary_html(const RunOptions& options, const std::vector<FamilyResult>& results) {
   std::size_t cases = 0;
@@ -47,20 +44,16 @@ std::string summary_html(const RunOptions& options, const std::vector<FamilyResu
                            escape(fmt::format("{}", fmt::join(complaints, "; "))));
     }
   }
-  std::string html = "<ul class=\"facts\">\n" + fact(results.size(), "families") +
-                     fact(held, "as they must be") + fact(cases, "cases") +
-                     fact(refused, "refused with a reason") +
-                     fact(options.seeds, "cases of each difficulty") + "</ul>\n";
+  std::string html = "<ul class=\"facts\">\n" + page::fact(results.size(), "families") +
+                     page::fact(held, "as they must be") + page::fact(cases, "cases") +
+                     page::fact(refused, "refused with a reason") +
+                     page::fact(options.seeds, "cases of each difficulty") + "</ul>\n";
   html += "<div class=\"lead\">\n<div class=\"findings\">\n<h3>Findings</h3>\n<ol>\n";
   for (const std::string& words : finding_words(results)) html += element("li", words) + "\n";
   html += "</ol>\n</div>\n";
   html += "</div>\n";
   if (wrong.empty()) return html;
   return html + "<h3>Not as it must be</h3>\n<ul class=\"wrong\">\n" + wrong + "</ul>\n";
-}
-
-std::string number_heading(std::string_view name) {
-  return fmt::format("<th scope=\"col\" class=\"number\">{}</th>", name);
 }
 
 std::string number_cell(const std::optional<double>& level, bool is_short) {
@@ -83,8 +76,8 @@ std::string table_html(const std::vector<FamilyResult>& results) {
       "scope=\"colgroup\" colspan=\"4\">holds to</th><td></td></tr>\n<tr><th "
       "scope=\"col\">Family</th><th scope=\"col\">Difficulty</th><th scope=\"col\" "
       "class=\"number\">Harmless</th>";
-  for (const char* name : {"fixed", "double"}) html += number_heading(name);
-  for (const Arithmetic a : kArithmetics) html += number_heading(name_of(a));
+  for (const char* name : {"fixed", "double"}) html += page::number_heading(name);
+  for (const Arithmetic a : kArithmetics) html += page::number_heading(name_of(a));
   html += "<th scope=\"col\">Verdict</th></tr></thead>\n<tbody>\n";
   for (const FamilyResult& result : results) {
     const Family& family = *result.family;
@@ -101,13 +94,6 @@ std::string table_html(const std::vector<FamilyResult>& results) {
     html += held ? "<td>held</td></tr>\n" : "<td class=\"short\">not held</td></tr>\n";
   }
   return html + "</tbody>\n</table></div>\n";
-}
-
-std::string chart_html(const StressChart& chart, std::string_view heading) {
-  return fmt::format(
-      "<figure id=\"chart-{0}\" class=\"chart\">\n<{1}>{2}</{1}>\n<div class=\"plot\"></div>\n"
-      "<figcaption>{3}</figcaption>\n</figure>\n",
-      escape(chart.id), heading, escape(chart.title), escape(chart.caption));
 }
 
 std::string failures_html(const FamilyResult& result, const std::vector<FailurePicture>& pictures) {
@@ -132,7 +118,7 @@ std::string failures_html(const FamilyResult& result, const std::vector<FailureP
   return "<div class=\"broken\">\n" + html + "</div>\n";
 }
 
-std::string family_html(const FamilyResult& result, const std::vector<StressChart>& charts,
+std::string family_html(const FamilyResult& result, const std::vector<page::RowChart>& charts,
                         const std::vector<FailurePicture>& pictures) {
   const Family& family = *result.family;
   std::string html = fmt::format(
@@ -149,7 +135,7 @@ std::string family_html(const FamilyResult& result, const std::vector<StressChar
   const std::string refused = refused_words(result);
   if (!refused.empty()) html += element("p", refused) + "\n";
   html += "<div class=\"charts\">\n";
-  for (const StressChart& chart : charts) html += chart_html(chart, "h4");
+  for (const page::RowChart& chart : charts) html += page::chart_html(chart, "h4");
   return html + "</div>\n" + failures_html(result, pictures) + "</article>\n";
 }
 
@@ -168,32 +154,30 @@ FailurePicture draw(const FamilyResult& result, Arithmetic arithmetic, const Mea
 
 std::string stress_page(const RunOptions& options, const std::vector<FamilyResult>& results,
                         const std::vector<FailurePicture>& pictures) {
-  std::vector<StressChart> charts{time_chart(results), condition_chart(results)};
-  const std::string cost = "<div class=\"charts\">\n" + chart_html(charts[0], "h3") +
-                           chart_html(charts[1], "h3") + "</div>\n";
+  std::vector<page::RowChart> charts{time_chart(results), condition_chart(results)};
+  const std::string cost = "<div class=\"charts\">\n" + page::chart_html(charts[0], "h3") +
+                           page::chart_html(charts[1], "h3") + "</div>\n";
   std::string sections;
   for (const FamilyResult& result : results) {
-    const std::vector<StressChart> own{excess_chart(result), rms_chart(result)};
+    const std::vector<page::RowChart> own{excess_chart(result), rms_chart(result)};
     sections += family_html(result, own, pictures);
     charts.insert(charts.end(), own.begin(), own.end());
   }
-  Json data{{"config", page::chart_config()}, {"names", kArithmeticNames}};
-  data["charts"] = Json::array();
-  for (const StressChart& chart : charts) {
-    data["charts"].push_back({{"id", chart.id}, {"spec", chart.spec}, {"rows", chart.rows}});
-  }
-  return page::fill(page::assets::stress_html(),
-                    {{"summary", summary_html(options, results)},
-                     {"table", table_html(results)},
-                     {"cost", cost},
-                     {"families", sections},
-                     {"css", std::string(page::assets::css())},
-                     {"licences", std::string(page::assets::licences())},
-                     {"data", page::script_json(data)},
-                     {"vega", std::string(page::assets::vega())},
-                     {"vega_lite", std::string(page::assets::vega_lite())},
-                     {"vega_embed", std::string(page::assets::vega_embed())},
-                     {"script", std::string(page::assets::stress_script())}});
+  return page::in_shell({
+      .title = "Numerical stability",
+      .kind = "<code>stress</code>",
+      .question =
+          "Families of cases from harmless to past breaking, four arithmetics, and a judge of 200 "
+          "bits.",
+      .name = "stress",
+      .body = page::fill(page::assets::stress_html(), {{"summary", summary_html(options, results)},
+                                                       {"table", table_html(results)},
+                                                       {"legend", page::legend_html("Arithmetics")},
+                                                       {"cost", cost},
+                                                       {"families", sections}}),
+      .data = page::row_chart_data({kArithmeticNames.begin(), kArithmeticNames.end()}, charts),
+      .script = page::assets::row_charts_script(),
+  });
 }
 
 void write_stress(const std::filesystem::path& folder, const RunOptions& options,

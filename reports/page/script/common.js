@@ -36,7 +36,7 @@ function symbol(i, kind) {
   svg.setAttribute("viewBox", "0 0 12 12");
   svg.setAttribute("aria-hidden", "true");
   const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-  path.setAttribute("d", symbols[kind === "squares" ? 1 : i % symbols.length]);
+  path.setAttribute("d", symbols[kind === "squares" ? 1 : (i + Math.floor(i / 8)) % symbols.length]);
   path.setAttribute("fill", `var(--series-${i % 8})`);
   svg.append(path);
   return svg;

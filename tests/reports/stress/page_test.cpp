@@ -32,7 +32,7 @@ TEST(StressPage, SaysHowFarEachFamilyHolds) {
 
 TEST(StressPage, HasAChartOfEachKind) {
   const auto results = tests::sample_results();
-  const StressChart excess = excess_chart(results[1]);
+  const page::RowChart excess = excess_chart(results[1]);
   EXPECT_EQ(excess.id, "brittle-excess");
   EXPECT_EQ(excess.rows.size(), 3U * kArithmetics.size());       // a level is refused
   const Json domain = Json::array({"1", "0.001", "1e-4", "0"});  // from harmless to hard

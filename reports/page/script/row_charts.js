@@ -1,4 +1,4 @@
-// The page of `stress`: a chart shows its own rows; one legend of arithmetics is for all of them.
+// Charts that have their own rows; one legend of series is for all of them.
 
 const chosen = new Set(); // names; none: all are shown alike
 
