@@ -45,6 +45,14 @@ TEST_F(Accuracy, MeasuresEveryMethodOnEveryScene) {
   }
 }
 
+TEST_F(Accuracy, WritesThePageItsDataAndPictures) {
+  expect_good(accuracy({"plain-columns", "--method", "raytraced-4", "-o", file("out")}));
+  for (const char* name :
+       {"accuracy.html", "accuracy.json", "pictures/plain-columns_raytraced-4.png"}) {
+    EXPECT_TRUE(std::filesystem::is_regular_file(folder / "out" / name)) << name;
+  }
+}
+
 TEST_F(Accuracy, RecommendsTheFastestMethodWithinAnError) {
   const std::vector<std::string> options{"plain-columns", "--method", "hard",
                                          "--method",      "coverage", "--max-error"};
@@ -75,6 +83,7 @@ TEST_F(Accuracy, BadInputIsOneClearLine) {
            {{"plain-columns", "--method", "hard:no=1"}, {"hard:no=1", "unknown option 'no'"}},
            {{"plain-columns", "--max-error", "2"}, {"--max-error", "'2'"}},
            {{"plain-columns", "--budget", "x"}, {"--budget", "'x'"}},
+           {{"plain-columns", "-o", "/dev/null/a"}, {"/dev/null"}},
            {{"plain-columns", "--json", "/dev/null/a.json"}, {"/dev/null"}}}) {
     expect_bad_input(accuracy(options), words);
   }

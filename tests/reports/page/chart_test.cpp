@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reports/page/chart_spec.h"
 #include "reports/page/names.h"
 #include "tests/reports/page/sample.h"
 
@@ -116,6 +117,18 @@ TEST(Charts, WithoutPointsThereAreNone) {
   EXPECT_TRUE(make_charts(Columns(results)).empty());
   results.points.clear();
   EXPECT_TRUE(make_charts(Columns(results)).empty());
+}
+
+TEST(Chart, SeriesDifferInColourOrShape) {
+  std::vector<std::string> series;
+  for (int i = 0; i < 64; ++i) series.push_back(std::to_string(i));
+  const Json colours = colour_channel(series)["scale"]["range"];
+  const Json shapes = shape_channel(series)["scale"]["range"];
+  std::set<std::string> pairs;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    pairs.insert(colours[i].get<std::string>() + shapes[i].get<std::string>());
+  }
+  EXPECT_EQ(pairs.size(), series.size());
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ async function open(name, options = {}) {
 
 const tests = {
   async "every chart has marks, words and a description, and nothing is said on the console"() {
-    for (const name of ["sample", "sample-time", "sample-precision", "paper2/report", "stress/stress"]) {
+    for (const name of ["sample", "sample-time", "sample-precision", "paper2/report", "stress/stress", "accuracy/accuracy"]) {
       const page = await open(name);
       const charts = await page.$$eval("figure.chart", (figures) => figures.map((figure) => ({
         id: figure.id,
@@ -50,7 +50,8 @@ const tests = {
   },
 
   async "labels lie within their chart and do not cover each other"() {
-    for (const [name, width] of [["sample-time", 1280], ["sample-time", 390], ["stress/stress", 1280], ["stress/stress", 390]]) {
+    for (const [name, width] of [["sample-time", 1280], ["sample-time", 390], ["stress/stress", 1280], ["stress/stress", 390],
+      ["accuracy/accuracy", 1280], ["accuracy/accuracy", 390]]) {
       const page = await open(name, { viewport: { width, height: 900 } });
       const faults = await page.evaluate(() => {
         const found = [];
@@ -221,6 +222,48 @@ const tests = {
     assert.deepEqual(page.said, []);
   },
 
+  async "the page of accuracy: one mark a choice, one legend, labels in place, strips, links, words as text"() {
+    const page = await open("accuracy/accuracy");
+    const chart = "#chart-round-shadow-2-time";
+    assert.equal(await page.locator(`${chart} .mark-symbol path`).count(), 19);
+    const pairs = await page.$$eval("#legend button path", (marks) => marks.map((mark) =>
+      mark.getAttribute("fill") + mark.getAttribute("d")));
+    assert.equal(new Set(pairs).size, pairs.length);
+    const covered = await page.evaluate(() => {
+      const found = [];
+      for (const svg of document.querySelectorAll(".plot svg")) {
+        const boxes = [...svg.querySelectorAll(".mark-text text")].map((label) => label.getBoundingClientRect());
+        if (boxes.length < 5) found.push(`${boxes.length} labels`);
+        boxes.forEach((box, i) => boxes.slice(i + 1).forEach((other) => {
+          if (box.left < other.right - 1 && other.left < box.right - 1 && box.top < other.bottom - 3 && other.top < box.bottom - 3) {
+            found.push(svg.closest("figure").id);
+          }
+        }));
+      }
+      return found;
+    });
+    assert.deepEqual(covered, []);
+    const name = await page.textContent("#legend button:first-child");
+    await page.locator("#legend button").first().click();
+    await page.waitForFunction((path) => [...document.querySelectorAll(path)].some((mark) =>
+      Number(mark.getAttribute("opacity")) < 0.5), `${chart} .mark-symbol path`);
+    const strips = await page.$$eval("#scene-round-shadow .strips figure", (figures) => Promise.all(figures.map(async (figure) => {
+      const image = figure.querySelector("img");
+      await image.decode();
+      return [image.naturalWidth === Number(image.getAttribute("width")), image.alt, figure.querySelector("a")?.getAttribute("href")];
+    })));
+    assert.equal(strips.length, 20);
+    assert.deepEqual(strips[0], [true, "Reference.", undefined]);
+    assert.ok(strips.every(([whole, alt]) => whole && alt));
+    for (const [, , file] of strips.slice(1)) assert.ok(statSync(`${folder}/accuracy/${file}`).size > 100, file);
+    await page.locator("#summary a", { hasText: "round shadow" }).nth(1).click();
+    assert.ok(await page.locator("#scene-round-shadow-2").evaluate((scene) => Math.abs(scene.getBoundingClientRect().top) < 200));
+    assert.ok(name.length > 0);
+    assert.equal(await page.evaluate(() => window.broken), undefined);
+    assert.match(await page.textContent("#summary"), /a<\/script><script>window\.broken = 1<\/script>/);
+    assert.deepEqual(page.said, []);
+  },
+
   async "dark where the system is dark, light on paper"() {
     const page = await open("sample", { colorScheme: "dark" });
     const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
@@ -233,7 +276,7 @@ const tests = {
   },
 
   async "pages are small and open soon"() {
-    for (const name of ["sample", "sample-large", "paper2/report", "stress/stress"]) {
+    for (const name of ["sample", "sample-large", "paper2/report", "stress/stress", "accuracy/accuracy"]) {
       const bytes = statSync(`${folder}/${name}.html`).size;
       assert.ok(bytes < mostBytes, `${name}: ${bytes} bytes`);
       const page = await open(name);

@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "reports/page/page.h"
 #include "reports/stress/stress_page.h"
+#include "tests/reports/accuracy/sample.h"
 #include "tests/reports/page/sample.h"
 #include "tests/reports/stress/sample.h"
 
@@ -38,5 +39,7 @@ int main(int argc, char** argv) {
   write(folder, hostile_results(), true);
   wedgesim::reports::stress::write_stress(folder / "stress", {{}, 2},
                                           wedgesim::reports::stress::tests::sample_results());
+  namespace accuracy = wedgesim::reports::accuracy::tests;
+  accuracy::write_sample(folder / "accuracy", accuracy::sample_scenes(5, 20));
   return 0;
 }
