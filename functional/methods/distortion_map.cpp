@@ -12,7 +12,7 @@
 
 namespace wedgesim::functional {
 DistortionMap::DistortionMap(std::span<const PenumbraStrip> strips, int size, int maps)
-    : size_(size), maps_(maps), tiles_(static_cast<std::size_t>((size + kTile - 1) / kTile)) {
+    : size_(size), maps_(maps), tiles_(static_cast<std::size_t>(light_tiles(size))) {
   CHECK_GE(maps, 1);
   CHECK_LE(maps, 2);
   for (std::size_t map = 0; map < static_cast<std::size_t>(maps); ++map) {
@@ -25,8 +25,8 @@ DistortionMap::DistortionMap(std::span<const PenumbraStrip> strips, int size, in
   for (std::size_t i = 0; i < splats.size(); ++i) {
     const auto corners = std::span(splats[i].corners).first(splats[i].count);
     const auto [low, high] = std::ranges::minmax_element(corners, {}, &SnappedPoint::y);
-    const int first = std::max(0, (low->y >> 8) / kTile);
-    const int last = std::min(static_cast<int>(tiles_) - 1, (high->y >> 8) / kTile);
+    const int first = std::max(0, (low->y >> 8) / kLightTile);
+    const int last = std::min(static_cast<int>(tiles_) - 1, (high->y >> 8) / kLightTile);
     for (int band = first; band <= last; ++band) {
       bands[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(i));
     }
@@ -34,10 +34,10 @@ DistortionMap::DistortionMap(std::span<const PenumbraStrip> strips, int size, in
 
   std::vector<Count> counts(tiles_);
   tbb::parallel_for(std::size_t{0}, tiles_, [&](std::size_t band) {
-    const int y_begin = static_cast<int>(band) * kTile;
+    const int y_begin = static_cast<int>(band) * kLightTile;
     for (const std::uint32_t i : bands[band]) {
       const Count count = draw(splats[i], strips[splats[i].name.strip()], y_begin,
-                               std::min(size_, y_begin + kTile));
+                               std::min(size_, y_begin + kLightTile));
       counts[band].compared += count.compared;
       counts[band].written += count.written;
     }
@@ -71,7 +71,7 @@ DistortionMap::Count DistortionMap::draw(const StripSplat& splat, const Penumbra
         const float dy = static_cast<float>(y) + 0.5F - strip.begin.y;
         count.compared += static_cast<std::uint64_t>(x1 - x0);
         for (int x = x0; x < x1;) {
-          const int stop = std::min(x1, (x / kTile + 1) * kTile);
+          const int stop = std::min(x1, (x / kLightTile + 1) * kLightTile);
           Tile& tile = touch(map, x, y);
           std::size_t texel = texel_of(x, y);
           for (; x < stop; ++x, ++texel) {

@@ -17,8 +17,6 @@ namespace wedgesim::functional {
 /// hold a strip are ever touched: `holds` is the cheap look that says so.
 class DistortionMap {
  public:
-  static constexpr int kTile = 16;  // texels along an edge
-
   /// \param size  texels along an edge of the light's image
   /// \param maps  2: outside and inside; 1: one for both
   DistortionMap(std::span<const PenumbraStrip> strips, int size, int maps);
@@ -35,18 +33,20 @@ class DistortionMap {
 
  private:
   struct Tile {
-    std::array<float, kTile * kTile> distance;
-    std::array<std::uint32_t, kTile * kTile> name;
+    std::array<float, kLightTile * kLightTile> distance;
+    std::array<std::uint32_t, kLightTile * kLightTile> name;
   };
   struct Count {
     std::uint64_t compared = 0, written = 0;
   };
 
   std::size_t tile_of(int x, int y) const {
-    return static_cast<std::size_t>(y / kTile) * tiles_ + static_cast<std::size_t>(x / kTile);
+    return static_cast<std::size_t>(y / kLightTile) * tiles_ +
+           static_cast<std::size_t>(x / kLightTile);
   }
   static std::size_t texel_of(int x, int y) {
-    return static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile);
+    return static_cast<std::size_t>(y % kLightTile) * kLightTile +
+           static_cast<std::size_t>(x % kLightTile);
   }
   Tile& touch(std::size_t map, int x, int y);
   Count draw(const StripSplat& splat, const PenumbraStrip& strip, int y_begin, int y_end);

@@ -1,9 +1,11 @@
 #include "functional/methods/occlusion_camera.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <array>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "base/error.h"
 #include "functional/geometry/silhouette.h"
@@ -39,9 +41,35 @@ std::vector<Silhouette> find_silhouettes(const Scene& scene, const glm::dvec3& f
   return silhouettes;
 }
 
+// Of each triangle of the scene, as the depth buffer numbers them.
+std::vector<Facing> facings(const Scene& scene, const Light& light,
+                            std::span<const std::uint32_t> first_triangle) {
+  std::vector<Facing> result(first_triangle.back(), Facing::light);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!scene.objects[i].casts) continue;
+    const Mesh& mesh = scene.objects[i].mesh;
+    const tbb::blocked_range<std::size_t> all(0, mesh.triangles.size(), 1024);
+    tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& some) {
+      for (std::size_t t = some.begin(); t < some.end(); ++t) {
+        const auto& corner = mesh.triangles[t];
+        const glm::dvec3& p = mesh.positions[corner[0]];
+        const glm::dvec3 normal =
+            glm::cross(mesh.positions[corner[1]] - p, mesh.positions[corner[2]] - p);
+        const double height = glm::dot(normal, light.centre - p);
+        if (height > 0.0) continue;
+        result[first_triangle[i] + t] = height < -light.radius * glm::length(normal)
+                                            ? Facing::away
+                                            : Facing::away_from_its_centre;
+      }
+    });
+  }
+  return result;
+}
+
 // Row by row: where each pixel's point is to the light's camera, and what reaches it.
 OcclusionLookup::Count light_pixels(const MethodInput& input, const Window& light_window,
-                                    const OcclusionLookup& lookup, std::vector<float>& values) {
+                                    const OcclusionLookup& lookup, std::span<const Facing> facing,
+                                    std::vector<float>& values) {
   const glm::dmat4 light_from_eye = light_window.window_from_world * input.window.world_from_window;
   const glm::dvec4 scale(input.window.world_from_window[0][3], input.window.world_from_window[1][3],
                          input.window.world_from_window[2][3],
@@ -59,7 +87,8 @@ OcclusionLookup::Count light_pixels(const MethodInput& input, const Window& ligh
       const glm::dvec4 seen = light_from_eye * at;
       if (!(seen.w > 0.0)) continue;
       const Fragment fragment{glm::vec2(seen.x / seen.w, seen.y / seen.w),
-                              static_cast<float>(seen.w / glm::dot(scale, at))};
+                              static_cast<float>(glm::dot(scale, at) / seen.w),
+                              facing[input.depth.triangle[pixel]]};
       values[pixel] = lookup.visible(fragment, count);
     }
   });
@@ -76,7 +105,7 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
   const int maps = options.integer("maps", 2, 1, 2);
   OcclusionLookup::Options lookups;
   lookups.lookups = options.integer("lookups", 3, 1, 4);
-  lookups.interpolate = options.integer("texels", 4, 1, 4) == 4;
+  lookups.interpolate = options.choice<bool>("texels", {{"4", true}, {"1", false}});
   lookups.bias = options.number("bias", 2.0, 0.0, 100.0);
   options.check_all_known();
 
@@ -95,7 +124,7 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
   } catch (const InputError& error) {
     throw InputError(scene.place, error.what());
   }
-  const ShadowMaps shadows = draw_shadow_maps(scene, light_window);
+  const ShadowMaps shadows = draw_shadow_maps(scene, silhouettes, light_window);
   stopwatch.end("shadow map");
   const std::vector<PenumbraStrip> strips =
       penumbra_strips(scene, light_window, silhouettes, shadows.surfaces, light.radius);
@@ -103,8 +132,10 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
   stopwatch.end("distortion maps");
 
   result.values.assign(input.depth.words.size(), 1.0F);
-  const OcclusionLookup lookup(shadows.casters, strips, map, focal_length(light_window), lookups);
-  const OcclusionLookup::Count count = light_pixels(input, light_window, lookup, result.values);
+  const OcclusionLookup lookup(shadows, strips, map, focal_length(light_window), lookups);
+  const std::vector<Facing> facing = facings(scene, light, input.depth.first_triangle);
+  const OcclusionLookup::Count count =
+      light_pixels(input, light_window, lookup, facing, result.values);
   stopwatch.end("pixels");
 
   MethodAccesses& accesses = result.accesses;

@@ -8,10 +8,11 @@
 namespace wedgesim::functional {
 namespace {
 
-constexpr float kOwnDepth = 1.0F - 1e-4F;  // of a fragment's depth: what it may hide itself by
+constexpr float kOwnDepth = 1.0F - 1e-4F;  // of its depth: a nearer surface hides a fragment
 constexpr float kSameWay = 0.9F;           // cosine between normals of one penumbra
 constexpr float kSameHeight = 0.25F;       // of a penumbra's width: how much those of one differ
 constexpr float kBeyond = 0.02F;           // of its depth range: how far a penumbra goes on
+constexpr float kClear = 1.0F;             // texels outside a silhouette where it hides nothing
 constexpr std::size_t kMostLookups = 4;
 
 float smooth(float t) { return t * t * (3.0F - 2.0F * t); }
@@ -38,29 +39,47 @@ struct OcclusionLookup::Bend {
 };
 
 float OcclusionLookup::visible(const Fragment& fragment, Count& count) const {
-  const float size = static_cast<float>(casters_.size);
+  const float size = static_cast<float>(casters_.size());
   const glm::vec2& p = fragment.place;
+  if (fragment.facing == Facing::away) return 0.0F;
   if (!(p.x >= 0.5F && p.y >= 0.5F && p.x < size - 0.5F && p.y < size - 0.5F)) return 1.0F;
   if (!options_.interpolate) {
     return visible_by_texel(fragment, static_cast<int>(p.x), static_cast<int>(p.y), count);
   }
   const int x = static_cast<int>(p.x - 0.5F);
   const int y = static_cast<int>(p.y - 0.5F);
+  if (const std::optional<float> plain = visible_by_tile(fragment, x, y, count)) return *plain;
   const float u = p.x - 0.5F - static_cast<float>(x);
   const float v = p.y - 0.5F - static_cast<float>(y);
   const std::array<float, 4> weight{(1.0F - u) * (1.0F - v), u * (1.0F - v), (1.0F - u) * v, u * v};
   float sum = 0.0F;
   for (int i = 0; i < 4; ++i) {
     sum += weight[static_cast<std::size_t>(i)] *
-           visible_by_texel(fragment, std::min(x + i % 2, casters_.size - 1),
-                            std::min(y + i / 2, casters_.size - 1), count);
+           visible_by_texel(fragment, std::min(x + i % 2, casters_.size() - 1),
+                            std::min(y + i / 2, casters_.size() - 1), count);
   }
   return sum;
 }
 
-bool OcclusionLookup::hidden(int x, int y, float depth, Count& count) const {
+// The cheap look that suffices far from a penumbra: none if it does not.
+std::optional<float> OcclusionLookup::visible_by_tile(const Fragment& fragment, int x, int y,
+                                                      Count& count) const {
+  const int right = std::min(x + 1, casters_.size() - 1) / kLightTile;
+  const int below = std::min(y + 1, casters_.size() - 1) / kLightTile;
+  if (right != x / kLightTile || below != y / kLightTile) return {};
+  ++count.map_reads;
+  if (map_.holds(x, y)) return {};
+  const TileDepths& tile =
+      tiles_[static_cast<std::size_t>(below * light_tiles(casters_.size()) + right)];
+  const float nearer = fragment.inverse_depth / kOwnDepth;
+  if (tile.least > nearer) return 0.0F;
+  if (tile.greatest <= nearer) return 1.0F;
+  return {};
+}
+
+bool OcclusionLookup::hidden(int x, int y, float inverse_depth, Count& count) const {
   ++count.depth_reads;
-  return casters_.at(x, y) < depth;
+  return casters_.at(x, y) > inverse_depth;
 }
 
 // Whether a fragment is hidden from the place that its ray was bent to. A receiver's own surface
@@ -69,16 +88,16 @@ bool OcclusionLookup::hidden_after(const glm::vec2& place, const Fragment& fragm
                                    Count& count) const {
   const int x = static_cast<int>(std::floor(place.x));
   const int y = static_cast<int>(std::floor(place.y));
-  if (x < 0 || y < 0 || x >= casters_.size || y >= casters_.size) return false;
-  const float moved = glm::distance(place, fragment.place) * fragment.depth * inverse_focal_;
-  return hidden(x, y, fragment.depth * kOwnDepth - static_cast<float>(options_.bias) * moved,
-                count);
+  if (x < 0 || y < 0 || x >= casters_.size() || y >= casters_.size()) return false;
+  const float moved = glm::distance(place, fragment.place) * inverse_focal_;  // of its depth
+  const float share = kOwnDepth - static_cast<float>(options_.bias) * moved;
+  return share > 0.0F && hidden(x, y, fragment.inverse_depth / share, count);
 }
 
 StripName OcclusionLookup::name_at(const glm::vec2& place, bool inside, Count& count) const {
   const int x = static_cast<int>(std::floor(place.x));
   const int y = static_cast<int>(std::floor(place.y));
-  if (x < 0 || y < 0 || x >= casters_.size || y >= casters_.size) return {};
+  if (x < 0 || y < 0 || x >= casters_.size() || y >= casters_.size()) return {};
   ++count.map_reads;
   return map_.at(inside, x, y);
 }
@@ -98,13 +117,14 @@ OcclusionLookup::Bend OcclusionLookup::bend(StripName name, const Fragment& frag
     if (length > 0.0F) bend.outward = sign / length * way;
   }
   bend.inverse_near = strip.near_begin + along * (strip.near_end - strip.near_begin);
-  bend.half_width = strip.scale * (bend.inverse_near - 1.0F / fragment.depth);
+  bend.half_width = strip.scale * (bend.inverse_near - fragment.inverse_depth);
   if (bend.half_width <= 0.0F) {
     // The silhouette is behind the fragment: look beyond its penumbra for another.
     bend.moved = std::max(0.0F, strip.half_width(bend.inverse_near) - bend.distance);
     return bend;
   }
-  bend.in_range = fragment.depth <= strip.far + kBeyond * (strip.far - 1.0F / bend.inverse_near);
+  const float beyond = strip.far + kBeyond * (strip.far - 1.0F / bend.inverse_near);
+  bend.in_range = fragment.inverse_depth * beyond >= 1.0F;
   bend.moved = std::clamp(0.5F * (bend.half_width - bend.distance), 0.0F, bend.half_width);
   bend.visible =
       smooth(std::clamp(0.5F * (bend.half_width + bend.distance) / bend.half_width, 0.0F, 1.0F));
@@ -113,7 +133,8 @@ OcclusionLookup::Bend OcclusionLookup::bend(StripName name, const Fragment& frag
 
 float OcclusionLookup::visible_by_texel(const Fragment& fragment, int x, int y,
                                         Count& count) const {
-  bool covered = hidden(x, y, fragment.depth * kOwnDepth, count);
+  bool covered =
+      fragment.facing != Facing::light || hidden(x, y, fragment.inverse_depth / kOwnDepth, count);
   if (!map_.holds(x, y)) return covered ? 0.0F : 1.0F;
   ++count.map_reads;
   StripName name = map_.at(covered, x, y);
@@ -125,7 +146,8 @@ float OcclusionLookup::visible_by_texel(const Fragment& fragment, int x, int y,
     bool again = false;
     for (std::size_t j = 0; j < found; ++j) again = again || bends[j].same_penumbra(next);
     if (again) break;
-    const glm::vec2 place = fragment.place + next.moved * next.outward;
+    const glm::vec2 place =
+        fragment.place + std::max(next.moved, kClear - next.distance) * next.outward;
     const bool still_hidden = hidden_after(place, fragment, count);
     if (next.half_width > 0.0F) {
       bends[found++] = next;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <span>
 
 #include "functional/methods/distortion_map.h"
@@ -10,10 +11,14 @@
 
 namespace wedgesim::functional {
 
+/// How a triangle stands to the light. What casts no shadow does not face away.
+enum class Facing : std::uint8_t { light, away_from_its_centre, away };
+
 /// What a point of the scene is to the light's camera.
 struct Fragment {
-  glm::vec2 place{0.0F};  // texels
-  float depth = 0.0F;     // world units along the camera's axis
+  glm::vec2 place{0.0F};       // texels
+  float inverse_depth = 0.0F;  // 1/z, world units along the camera's axis
+  Facing facing = Facing::light;
 };
 
 /// The visible fraction of the light at fragments, by the maps of an occlusion camera.
@@ -29,9 +34,10 @@ class OcclusionLookup {
     std::uint64_t depth_reads = 0, map_reads = 0;
   };
 
-  OcclusionLookup(const LightDepths& casters, std::span<const PenumbraStrip> strips,
+  OcclusionLookup(const ShadowMaps& shadows, std::span<const PenumbraStrip> strips,
                   const DistortionMap& map, double focal, const Options& options)
-      : casters_(casters),
+      : casters_(shadows.casters),
+        tiles_(shadows.caster_tiles),
         strips_(strips),
         map_(map),
         inverse_focal_(static_cast<float>(1.0 / focal)),
@@ -42,13 +48,15 @@ class OcclusionLookup {
 
  private:
   struct Bend;
+  std::optional<float> visible_by_tile(const Fragment& fragment, int x, int y, Count& count) const;
   float visible_by_texel(const Fragment& fragment, int x, int y, Count& count) const;
-  bool hidden(int x, int y, float depth, Count& count) const;
+  bool hidden(int x, int y, float inverse_depth, Count& count) const;
   bool hidden_after(const glm::vec2& place, const Fragment& fragment, Count& count) const;
   StripName name_at(const glm::vec2& place, bool inside, Count& count) const;
   Bend bend(StripName name, const Fragment& fragment) const;
 
   const LightDepths& casters_;
+  std::span<const TileDepths> tiles_;
   std::span<const PenumbraStrip> strips_;
   const DistortionMap& map_;
   float inverse_focal_;

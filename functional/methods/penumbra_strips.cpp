@@ -104,8 +104,8 @@ class StripBuilder {
   double surface_at(const glm::dvec2& p) const {
     const int x = static_cast<int>(std::floor(p.x));
     const int y = static_cast<int>(std::floor(p.y));
-    if (x < 0 || y < 0 || x >= surfaces_.size || y >= surfaces_.size) return far_;
-    return std::min(far_, static_cast<double>(surfaces_.at(x, y)));
+    if (x < 0 || y < 0 || x >= surfaces_.size() || y >= surfaces_.size()) return far_;
+    return std::min(far_, 1.0 / static_cast<double>(surfaces_.at(x, y)));
   }
 
   const Window& view_;
