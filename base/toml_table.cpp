@@ -214,6 +214,11 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   return found;
 }
 
+std::vector<TomlTable> TomlTable::one_or_more_tables(std::string_view key) const {
+  if (need(key, fmt::format("a table [{}]", key)).is_array()) return tables(key);
+  return {table(key)};
+}
+
 void TomlTable::reject_unknown() const {
   const toml::key* first = nullptr;  // by line: a table's own order is alphabetical
   for (const auto& [key, node] : *table_) {

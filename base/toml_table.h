@@ -54,6 +54,8 @@ class TomlTable {
   TomlTable table(std::string_view key) const;
   /// The tables of a key written as [[key]]; none if it is missing.
   std::vector<TomlTable> tables(std::string_view key) const;
+  /// The table of a key written as [key], or the tables of one written as [[key]].
+  std::vector<TomlTable> one_or_more_tables(std::string_view key) const;
 
   /// \throws InputError naming the first key that nobody asked for and the keys that exist
   void reject_unknown() const;

@@ -16,6 +16,7 @@ namespace {
 
 struct Arguments {
   SceneArguments scene;
+  LightNumber light_number;
   std::string image, method = "coverage", samples = "1024";
   bool visibility = false;
 };
@@ -28,14 +29,15 @@ int run(const Arguments& arguments) {
   reports::require_image_name(arguments.image);
   Progress progress;
   progress.show("reading " + arguments.scene.scene);
-  const functional::Scene scene = arguments.scene.load(arguments.image);
+  functional::Scene scene = arguments.scene.load(arguments.image);
+  const bool one_light = arguments.visibility || !arguments.light_number.text.empty();
+  if (one_light) scene = arguments.light_number.choose(scene);
   progress.show("rendering " + scene.name);
   const functional::View view = functional::render_view(scene, method);
   if (arguments.visibility) {
     reports::write_values(arguments.image, view.visibility.values, scene.width, scene.height);
   } else {
-    reports::write_colours(
-        arguments.image, functional::shade(scene, view.window, view.depth, view.visibility.values));
+    reports::write_colours(arguments.image, functional::shade(scene, view));
   }
   return 0;
 }
@@ -54,6 +56,7 @@ Command add_render(CLI::App& program) {
   CLI::App* app = program.add_subcommand("render", "Render a scene into an image");
   auto arguments = std::make_shared<Arguments>();
   arguments->scene.add_to(*app);
+  arguments->light_number.add_to(*app, "all (of --visibility the first)");
   app->add_option("-o,--output", arguments->image, "Image to write, .png or .exr")
       ->required()
       ->type_name("IMG");

@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "cli/parse.h"
 #include "cli/print.h"
+#include "functional/scene/lights.h"
 
 namespace wedgesim::cli {
 
@@ -42,6 +43,18 @@ functional::Scene SceneArguments::load(const std::filesystem::path& output) cons
   for (const std::string& note : notes) print_note(note);
   require_not_read(output, loaded.files);
   return loaded;
+}
+
+void LightNumber::add_to(CLI::App& app, const std::string& otherwise) {
+  app.add_option("--light-number", text,
+                 "Of several lights the one with this number, from 1; without it " + otherwise)
+      ->type_name("N");
+}
+
+functional::Scene LightNumber::choose(const functional::Scene& scene) const {
+  const auto count = static_cast<int>(functional::light_count(scene));
+  const int number = text.empty() ? 1 : parse_integer("--light-number", text, 1, count);
+  return functional::with_light(scene, static_cast<std::size_t>(number - 1));
 }
 
 }  // namespace wedgesim::cli

@@ -23,4 +23,15 @@ struct SceneArguments {
   functional::Scene load(const std::filesystem::path& output) const;
 };
 
+/// The argument that takes one of a scene's lights, for the commands that know but one.
+struct LightNumber {
+  std::string text;  // empty: not given
+
+  /// \param otherwise  what is done without it
+  void add_to(CLI::App& app, const std::string& otherwise);
+  /// The scene lit by the chosen light alone, the first if none is.
+  /// \throws InputError unless it is the number of a light, from 1
+  functional::Scene choose(const functional::Scene& scene) const;
+};
+
 }  // namespace wedgesim::cli

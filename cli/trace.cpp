@@ -15,13 +15,15 @@ namespace {
 struct Arguments {
   SceneArguments scene;
   FrameArguments frame;
+  LightNumber light_number;
 };
 
 int run(const Arguments& arguments) {
   const functional::FrameOptions options = arguments.frame.options();
   Progress progress;
   progress.show("reading " + arguments.scene.scene);
-  const functional::Scene scene = arguments.scene.load(arguments.frame.file);
+  const functional::Scene scene =
+      arguments.light_number.choose(arguments.scene.load(arguments.frame.file));
   traces::require_room(scene.place, scene.width, scene.height);
   progress.show("rendering " + scene.name);
   functional::Frame frame = functional::make_frame(scene, options);
@@ -37,6 +39,7 @@ Command add_trace(CLI::App& program) {
   CLI::App* app = program.add_subcommand("trace", "Render a scene into a trace file");
   auto arguments = std::make_shared<Arguments>();
   arguments->scene.add_to(*app);
+  arguments->light_number.add_to(*app, "the first: a trace has one light");
   arguments->frame.add_to(*app);
   app->footer("Example:\n  wedgesim trace columns -o columns.wtrace --light sphere");
   return {app, [arguments] { return run(*arguments); }};

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "base/check.h"
+#include "functional/scene/lights.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -27,30 +29,30 @@ glm::dvec3 normal_to(const Mesh& mesh, std::size_t triangle, const glm::dvec3& e
   return glm::dot(n, eye - a) < 0.0 ? n / -length : n / length;
 }
 
-// What the light's centre and the sky give to a point of reflectance 1.
-glm::dvec3 illumination(const Scene& scene, const glm::dvec3& point, const glm::dvec3& normal,
-                        double visibility) {
-  const glm::dvec3 to_light = glm::normalize(scene.light.centre - point);
-  const double direct = std::max(0.0, glm::dot(normal, to_light)) * visibility;
+// One light and how much of it each pixel sees.
+struct Lit {
+  const Light& light;
+  std::span<const float> visibility;  // (height, width)
+
+  /// What the light's centre gives to a point of reflectance 1.
+  glm::dvec3 illuminate(std::size_t pixel, const glm::dvec3& point,
+                        const glm::dvec3& normal) const {
+    const glm::dvec3 to_light = glm::normalize(light.centre - point);
+    const double visible = std::clamp(static_cast<double>(visibility[pixel]), 0.0, 1.0);
+    const double direct = std::max(0.0, glm::dot(normal, to_light)) * visible;
+    return kDirect * direct * light.colour;
+  }
+};
+
+glm::dvec3 sky_light(const Scene& scene, const glm::dvec3& normal) {
   const double up = 0.5 + 0.5 * glm::dot(normal, glm::normalize(scene.camera.up));
-  return kDirect * direct * scene.light.colour + glm::mix(kGroundLight, kSkyLight, up);
-}
-
-}  // namespace
-
-View render_view(const Scene& scene, const MethodChoice& choice, traces::fb::DepthFormat format) {
-  View view;
-  view.window = make_window(scene.camera, scene.width, scene.height);
-  view.depth = render_depth(view.window, scene.objects, format);
-  view.visibility = render_method({scene, view.window, view.depth}, choice);
-  return view;
+  return glm::mix(kGroundLight, kSkyLight, up);
 }
 
 Image shade(const Scene& scene, const Window& window, const DepthBuffer& depth,
-            const std::vector<float>& visibility) {
+            std::span<const Lit> lights) {
   Image image(window.width, window.height, 3);
-  CHECK_EQ(3 * visibility.size(), image.values.size());
-  CHECK_EQ(visibility.size(), depth.words.size());
+  for (const Lit& lit : lights) CHECK_EQ(lit.visibility.size(), depth.words.size());
   tbb::parallel_for(0, window.height, [&](int y) {
     for (int x = 0; x < window.width; ++x) {
       const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(window.width) +
@@ -62,8 +64,9 @@ Image shade(const Scene& scene, const Window& window, const DepthBuffer& depth,
         const double z = traces::decode_depth(depth.format, depth.words[pixel]);
         const glm::dvec3 point = world_point(window, x + 0.5, y + 0.5, z);
         const glm::dvec3 normal = normal_to(object.mesh, surface.triangle, window.eye);
-        const double visible = std::clamp(static_cast<double>(visibility[pixel]), 0.0, 1.0);
-        colour = object.colour * illumination(scene, point, normal, visible);
+        glm::dvec3 light = sky_light(scene, normal);
+        for (const Lit& lit : lights) light += lit.illuminate(pixel, point, normal);
+        colour = object.colour * light;
       }
       for (int c = 0; c < 3; ++c) {
         image.pixel(x, y)[c] = static_cast<float>(std::clamp(colour[c], 0.0, 1.0));
@@ -71,6 +74,37 @@ Image shade(const Scene& scene, const Window& window, const DepthBuffer& depth,
     }
   });
   return image;
+}
+
+}  // namespace
+
+View render_view(const Scene& scene, const MethodChoice& choice, traces::fb::DepthFormat format) {
+  View view;
+  view.window = make_window(scene.camera, scene.width, scene.height);
+  view.depth = render_depth(view.window, scene.objects, format);
+  const auto visibility_of = [&](std::size_t i) {
+    return render_method({with_light(scene, i), view.window, view.depth}, choice);
+  };
+  view.visibility = visibility_of(0);
+  for (std::size_t i = 1; i < light_count(scene); ++i) {
+    view.other_visibility.push_back(visibility_of(i));
+  }
+  return view;
+}
+
+Image shade(const Scene& scene, const View& view) {
+  CHECK_EQ(1 + view.other_visibility.size(), light_count(scene));
+  std::vector<Lit> lights{{scene.light, view.visibility.values}};
+  for (std::size_t i = 1; i < light_count(scene); ++i) {
+    lights.push_back({light_at(scene, i), view.other_visibility[i - 1].values});
+  }
+  return shade(scene, view.window, view.depth, lights);
+}
+
+Image shade(const Scene& scene, const Window& window, const DepthBuffer& depth,
+            const std::vector<float>& visibility) {
+  const Lit lit{scene.light, visibility};
+  return shade(scene, window, depth, std::span(&lit, 1));
 }
 
 Image encode_srgb(const Image& linear) {

@@ -14,18 +14,23 @@ namespace wedgesim::functional {
 struct View {
   Window window;
   DepthBuffer depth;
-  Visibility visibility;
+  Visibility visibility;                     // of `Scene::light`
+  std::vector<Visibility> other_visibility;  // of each of `Scene::other_lights`
 };
 
-/// Renders the depth of a scene and, by one method, the visibility of its light.
+/// Renders the depth of a scene and, by one method that is called once a light, the visibility of
+/// its lights.
 /// \throws InputError if the method cannot render the scene
 View render_view(const Scene& scene, const MethodChoice& choice,
                  traces::fb::DepthFormat format = traces::fb::DepthFormat_float32);
 
-/// Lights a view: each triangle diffusely from the light's centre, times the visibility clamped to
-/// [0, 1], and evenly from a sky above.
-/// \param visibility  (height, width)
+/// Lights a view by all its lights: each triangle diffusely from a light's centre, times that
+/// light's visibility clamped to [0, 1], and evenly from a sky above.
 /// \return (height, width, 3) linear colour, [0, 1]
+Image shade(const Scene& scene, const View& view);
+
+/// The same by `scene.light` alone.
+/// \param visibility  (height, width)
 Image shade(const Scene& scene, const Window& window, const DepthBuffer& depth,
             const std::vector<float>& visibility);
 

@@ -52,6 +52,7 @@ Scene taken_from(const Scene& scene, const glm::dvec3& origin) {
   moved.camera.eye -= origin;
   moved.camera.target -= origin;
   moved.light.centre -= origin;
+  for (Light& light : moved.other_lights) light.centre -= origin;
   for (Object& object : moved.objects) {
     for (glm::dvec3& p : object.mesh.positions) p -= origin;
   }

@@ -4,8 +4,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "base/image.h"
 
 namespace wedgesim::functional {
 
@@ -32,6 +35,9 @@ struct Light {
   glm::dvec3 half_v{0.0};
   double radius = 0.0;  // sphere
   glm::dvec3 colour{1.0};
+  /// Of a rectangle, may be null: its emission, 3 channels, 0 and above. Columns run along half_u,
+  /// rows along half_v; of the power of each colour a texel emits its share of the sum.
+  std::shared_ptr<const Image> texture;
 };
 
 /// Whether a light has an area; one without casts hard shadows.
@@ -63,6 +69,7 @@ struct Scene {
   int height = 427;
   Camera camera;
   Light light;
+  std::vector<Light> other_lights;  // besides it; lights.h takes one at a time
   std::vector<Object> objects;
 };
 

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/toml_table.h"
+#include "functional/scene/lights.h"
 #include "functional/scene/manifold.h"
 #include "functional/scene/transform.h"
 
@@ -161,7 +162,9 @@ void check_scene(const Scene& scene, const std::string& place) {
   }
   for (const Object& object : scene.objects) {
     check_mesh(object.mesh, place);
-    check_light(object, scene.light, place);
+    for (std::size_t i = 0; i < light_count(scene); ++i) {
+      check_light(object, light_at(scene, i), place);
+    }
   }
 }
 

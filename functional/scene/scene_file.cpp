@@ -141,6 +141,21 @@ void set_size(Scene& scene, const TomlTable& table, const SceneOptions& options)
   }
 }
 
+void set_lights(Scene& scene, const TomlTable& table, const SceneOptions& options) {
+  std::vector<Light> lights;
+  for (const TomlTable& entry : table.one_or_more_tables("light")) {
+    const LightFile file = read_light(entry);
+    Light light = options.light_shape ? reshaped(file, *options.light_shape) : file.light;
+    light.half_u *= options.light_scale;
+    light.half_v *= options.light_scale;
+    light.radius *= options.light_scale;
+    if (!has_extent(light)) light.shape = LightShape::point;
+    lights.push_back(light);
+  }
+  scene.light = lights.front();
+  scene.other_lights.assign(lights.begin() + 1, lights.end());
+}
+
 bool has_user_object(const TomlTable& table) {
   const std::vector<TomlTable> objects = table.tables("object");
   return std::ranges::any_of(
@@ -163,12 +178,7 @@ Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
   const TomlTable camera_table = table.table("camera");
   const double width_by_height = static_cast<double>(scene.width) / scene.height;
   set_frame(scene, read_camera(camera_table, width_by_height), options.frame, camera_table.place());
-  const LightFile light = read_light(table.table("light"));
-  scene.light = options.light_shape ? reshaped(light, *options.light_shape) : light.light;
-  scene.light.half_u *= options.light_scale;
-  scene.light.half_v *= options.light_scale;
-  scene.light.radius *= options.light_scale;
-  if (!has_extent(scene.light)) scene.light.shape = LightShape::point;
+  set_lights(scene, table, options);
   const ObjectContext context{{source.file.parent_path(), options.mesh, &scene.files},
                               options.repair,
                               notes,

@@ -16,7 +16,7 @@ struct SceneOptions {
   int frame = 0;                              // of the camera path
   std::optional<std::filesystem::path> mesh;  // takes the place of the object with shape = "user"
   bool repair = false;                        // repair every caster that is not closed
-  /// Turns the light into another shape: a sphere of radius (|half_u| + |half_v|) / 2, a square of
+  /// Turns the lights into another shape: a sphere of radius (|half_u| + |half_v|) / 2, a square of
   /// half axes as long as the radius that faces the light's target, or its centre alone.
   std::optional<LightShape> light_shape;
   double light_scale = 1.0;       // of the light's half axes or radius, above 0

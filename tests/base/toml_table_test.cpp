@@ -36,6 +36,7 @@ TEST(TomlTable, ReadsWhatIsThere) {
                        EXPECT_EQ(table.number("missing", 7.0), 7.0);
                        EXPECT_EQ(table.vec3("also", glm::dvec3(1.0)), glm::dvec3(1.0));
                        EXPECT_TRUE(table.tables("none").empty());
+                       EXPECT_EQ(table.one_or_more_tables("a").size(), 2U);
                      }),
             "");
 }

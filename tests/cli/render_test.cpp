@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/image.h"
 #include "tests/cli/command.h"
@@ -71,6 +72,25 @@ TEST_F(Render, TheLightMayBecomeASphere) {
   expect_good(
       render("plain-columns", "s.exr", {"--size", "48x32", "--visibility", "--light", "sphere"}));
   EXPECT_NE(read_text(image("r.exr")), read_text(image("s.exr")));
+}
+
+TEST_F(Render, AllLightsShineUnlessOneIsChosen) {
+  const std::vector<std::string> size{"--size", "48x32"};
+  const auto brightness = [&](std::vector<std::string> options) {
+    options.insert(options.end(), size.begin(), size.end());
+    expect_good(render("two-lights", "x.exr", options));
+    const Image pixels = read_image(image("x.exr"));
+    return std::accumulate(pixels.values.begin(), pixels.values.end(), 0.0);
+  };
+  const double both = brightness({});
+  const double first = brightness({"--light-number", "1"});
+  const double second = brightness({"--light-number", "2"});
+  EXPECT_GT(both, 1.1 * first);
+  EXPECT_GT(both, 1.1 * second);
+  EXPECT_NE(first, second);
+  EXPECT_EQ(brightness({"--visibility"}), brightness({"--visibility", "--light-number", "1"}));
+  EXPECT_NE(brightness({"--visibility"}), brightness({"--visibility", "--light-number", "2"}));
+  expect_bad_input(render("two-lights", "x.png", {"--light-number", "3"}), {"--light-number"});
 }
 
 TEST_F(Render, BadOptionsAreRefusedAndNothingIsWritten) {

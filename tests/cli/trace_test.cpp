@@ -73,6 +73,21 @@ TEST_F(Trace, TheSameSceneGivesTheSameBytes) {
   EXPECT_EQ(read_text(file), first);
 }
 
+TEST_F(Trace, ALightIsChosenByItsNumber) {
+  const auto written_light = [&](const std::vector<std::string>& options) {
+    expect_good(trace(options, "two-lights"));
+    const traces::TraceFile written(file);
+    EXPECT_EQ(written.view().header.lights.size(), 1U);
+    return written.view().header.lights.front().centre.x();
+  };
+  EXPECT_EQ(written_light({}), -6.0);
+  EXPECT_EQ(written_light({"--light-number", "1"}), -6.0);
+  EXPECT_EQ(written_light({"--light-number", "2"}), 5.5);
+  expect_bad_input(trace({"--light-number", "3"}, "two-lights"),
+                   {"--light-number", "'3'", "from 1 to 2"});
+  expect_bad_input(trace({"--light-number", "0"}), {"--light-number", "'0'"});
+}
+
 TEST_F(Trace, BadOptionsAreRefusedAndNothingIsWritten) {
   const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> bad{
       {{"--kind", "round"}, {"--kind", "round", "coverage, linear"}},

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/error.h"
+#include "functional/scene/lights.h"
 #include "functional/scene/scene_file.h"
 
 namespace wedgesim::functional {
@@ -41,6 +42,28 @@ TEST_F(Render, LightBrightensSurfacesButNotTheSky) {
     }
   }
   EXPECT_GT(brighter, depth.words.size() / 4);
+}
+
+TEST_F(Render, LightsAddUp) {
+  Scene both = small_scene("two-lights");
+  both.light.colour *= 0.3;  // nothing saturates
+  both.other_lights[0].colour *= 0.3;
+  const View view = render_view(both, choose_method("", "coverage"));
+  ASSERT_EQ(view.other_visibility.size(), 1U);
+  const Image lit = shade(both, view);
+  const Scene second = with_light(both, 1);
+  EXPECT_EQ(view.other_visibility[0].values,
+            render_view(second, choose_method("", "coverage")).visibility.values);
+  EXPECT_NE(view.other_visibility[0].values, view.visibility.values);
+  const Image first_alone = shade(both, view.window, view.depth, view.visibility.values);
+  const Image second_alone =
+      shade(second, view.window, view.depth, view.other_visibility[0].values);
+  const Image dark = shade(both, view.window, view.depth, std::vector<float>(48 * 32, 0.0F));
+  for (std::size_t i = 0; i < lit.values.size(); ++i) {
+    ASSERT_NEAR(lit.values[i], first_alone.values[i] + second_alone.values[i] - dark.values[i],
+                1e-6F)
+        << i;
+  }
 }
 
 TEST_F(Render, VisibilityIsClamped) {

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "functional/scene/lights.h"
 #include "functional/scene/manifold.h"
 #include "functional/scene/scene_file.h"
 
@@ -48,32 +49,59 @@ TEST_P(BuiltIn, CastersAreSound) {
   EXPECT_TRUE(casts);
 }
 
-TEST_P(BuiltIn, EverythingIsInFrontOfTheLightAndTheCameraSeesItWhole) {
+void expect_in_front(const Scene& scene, const Light& light) {
+  ASSERT_EQ(light.shape, LightShape::rectangle);
+  const glm::dvec3 shine = glm::normalize(glm::cross(light.half_u, light.half_v));
+  for (const Object& object : scene.objects) {
+    double least_shine = 1e300;
+    for (const glm::dvec3& p : object.mesh.positions) {
+      least_shine = std::min(least_shine, glm::dot(p - light.centre, shine));
+    }
+    EXPECT_GT(least_shine, 0.5) << object.mesh.name;
+  }
+}
+
+TEST_P(BuiltIn, EverythingIsInFrontOfTheLightsAndTheCameraSeesItWhole) {
   SKIP_WITHOUT_BUNNY(GetParam().name);
   for (const int frame : {0, GetParam().frames / 2, GetParam().frames - 1}) {
     SceneOptions options;
     options.frame = frame;
     const Scene scene = load_scene(GetParam().name, options);
-    const Light& light = scene.light;
-    ASSERT_EQ(light.shape, LightShape::rectangle);
-    const glm::dvec3 shine = glm::normalize(glm::cross(light.half_u, light.half_v));
+    for (std::size_t i = 0; i < light_count(scene); ++i) expect_in_front(scene, light_at(scene, i));
     const Camera& camera = scene.camera;
     const glm::dvec3 view = glm::normalize(camera.target - camera.eye);
     for (const Object& object : scene.objects) {
-      double least_shine = 1e300;
       double nearest = 1e300;
       double farthest = 0.0;
       for (const glm::dvec3& p : object.mesh.positions) {
-        least_shine = std::min(least_shine, glm::dot(p - light.centre, shine));
         nearest = std::min(nearest, glm::dot(p - camera.eye, view));
         farthest = std::max(farthest, glm::dot(p - camera.eye, view));
       }
-      EXPECT_GT(least_shine, 0.5) << object.mesh.name << " frame " << frame;
       EXPECT_LT(farthest, camera.far_plane) << object.mesh.name << " frame " << frame;
       EXPECT_TRUE(!object.casts || nearest > camera.near_plane)
           << object.mesh.name << " frame " << frame << ": " << nearest;
     }
   }
+}
+
+// Whether a caster is between two points.
+bool is_dark(const Scene& scene, const glm::dvec3& eye, const glm::dvec3& centre) {
+  const glm::dvec3 ray = centre - eye;
+  for (const Object& object : scene.objects) {
+    if (!object.casts) continue;
+    for (const auto& t : object.mesh.triangles) {
+      const glm::dvec3 a = object.mesh.positions[t[0]] - eye;
+      const glm::dvec3 b = object.mesh.positions[t[1]] - eye;
+      const glm::dvec3 c = object.mesh.positions[t[2]] - eye;
+      const double u = glm::dot(ray, glm::cross(a, b));
+      const double v = glm::dot(ray, glm::cross(b, c));
+      const double w = glm::dot(ray, glm::cross(c, a));
+      const bool same_side = (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
+      const double t_hit = glm::dot(a, glm::cross(b, c)) / (u + v + w);
+      if (same_side && t_hit > 0.0 && t_hit < 1.0) return true;
+    }
+  }
+  return false;
 }
 
 TEST_P(BuiltIn, EyeIsInShadowOnlyWhereTheNameSaysSo) {
@@ -82,23 +110,11 @@ TEST_P(BuiltIn, EyeIsInShadowOnlyWhereTheNameSaysSo) {
     SceneOptions options;
     options.frame = frame;
     const Scene scene = load_scene(GetParam().name, options);
-    const glm::dvec3 eye = scene.camera.eye;
-    const glm::dvec3 ray = scene.light.centre - eye;
-    bool dark = false;
-    for (const Object& object : scene.objects) {
-      for (const auto& t : object.mesh.triangles) {
-        const glm::dvec3 a = object.mesh.positions[t[0]] - eye;
-        const glm::dvec3 b = object.mesh.positions[t[1]] - eye;
-        const glm::dvec3 c = object.mesh.positions[t[2]] - eye;
-        const double u = glm::dot(ray, glm::cross(a, b));
-        const double v = glm::dot(ray, glm::cross(b, c));
-        const double w = glm::dot(ray, glm::cross(c, a));
-        const bool same_side = (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
-        const double t_hit = glm::dot(a, glm::cross(b, c)) / (u + v + w);
-        dark = dark || (object.casts && same_side && t_hit > 0.0 && t_hit < 1.0);
-      }
+    for (std::size_t i = 0; i < light_count(scene); ++i) {
+      EXPECT_EQ(is_dark(scene, scene.camera.eye, light_at(scene, i).centre),
+                GetParam().name == "eye-in-shadow")
+          << "frame " << frame << " light " << i;
     }
-    EXPECT_EQ(dark, GetParam().name == "eye-in-shadow") << "frame " << frame;
   }
 }
 
@@ -128,7 +144,7 @@ TEST(BuiltInFiles, AreTheFilesOfTheFolder) {
   EXPECT_EQ(built_in_files().size(), on_disk.size());
   for (const char* name :
        {"plain-columns", "columns", "fractal", "text2002", "spheres27", "big-light-box", "overlap",
-        "cylinder", "ground-polygon", "bunny", "eye-in-shadow", "mesh"}) {
+        "cylinder", "ground-polygon", "bunny", "eye-in-shadow", "two-lights", "mesh"}) {
     EXPECT_TRUE(on_disk.contains(name)) << name;
   }
 }

@@ -147,6 +147,40 @@ TEST_F(SceneFile, LightsAreScaled) {
   EXPECT_EQ(radius, 2.0 * load_scene("plain-columns", options).light.radius);
 }
 
+constexpr const char* kLight = "[light]\ncentre = [0, 9, 1]\ntarget = [0, 0, 0]\nsize = [1, 1]\n";
+constexpr const char* kTwoLights =
+    "[[light]]\ncentre = [0, 9, 1]\ntarget = [0, 0, 0]\nsize = [1, 1]\n"
+    "[[light]]\ncentre = [4, 7, 1]\nshape = \"sphere\"\nradius = 0.5\n";
+
+TEST_F(SceneFile, SeveralLightsAreTables) {
+  EXPECT_TRUE(load_scene(write("small.toml", kScene)).other_lights.empty());
+  const std::string file = edited(kLight, kTwoLights);
+  const Scene scene = load_scene(file);
+  EXPECT_EQ(scene.light.centre, glm::dvec3(0, 9, 1));
+  ASSERT_EQ(scene.other_lights.size(), 1U);
+  EXPECT_EQ(scene.other_lights[0].centre, glm::dvec3(4, 7, 1));
+  EXPECT_EQ(scene.other_lights[0].radius, 0.5);
+  SceneOptions options;
+  options.light_scale = 2.0;
+  EXPECT_EQ(load_scene(file, options).other_lights[0].radius, 1.0);
+  options.light_shape = LightShape::rectangle;
+  EXPECT_EQ(load_scene(file, options).other_lights[0].shape, LightShape::rectangle);
+}
+
+TEST_F(SceneFile, EveryLightIsChecked) {
+  std::string inside = kTwoLights;
+  inside.replace(inside.find("[4, 7, 1]"), 9, "[0, 1, 0]");
+  EXPECT_EQ(error(edited(kLight, inside)),
+            "edited.toml: the light touches 'box'; expected a light clear of all geometry");
+  std::string odd = kTwoLights;
+  odd.replace(odd.find("radius"), 6, "redius");
+  EXPECT_EQ(error(edited(kLight, odd)), "edited.toml:13: 'radius' is missing; expected a number");
+  EXPECT_EQ(error(write("none.toml",
+                        "description = \"x\"\nlight = []\n[camera]\neye = [0, 2, 8]\n"
+                        "target = [0, 1, 0]\n")),
+            "none.toml:2: 'light' is not an array of tables; expected tables [[light]]");
+}
+
 TEST_F(SceneFile, FoldersAreNoScenes) {
   const std::string folder = std::filesystem::path(write("a", "")).parent_path().string();
   EXPECT_EQ(error(folder), folder + ": is a folder; expected a scene file");
