@@ -45,8 +45,15 @@ std::size_t digits_begin(std::string_view name) {
 std::span<const Method> methods() {
   static const std::array all{
       // One a line, in the order of the papers.
-      kHard,    kSampled,         kRaytraced,       kSsv, kCoverage, kLinear,
-      kDBuffer, kOcclusionCamera, kSilhouetteRings,
+      kHard,
+      kSampled,
+      kRaytraced,
+      kSsv,
+      kCoverage,
+      kLinear,
+      kDBuffer,
+      kOcclusionCamera,
+      kSilhouetteRings,
   };
   return all;
 }
