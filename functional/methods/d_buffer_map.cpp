@@ -8,10 +8,13 @@
 #include <limits>
 #include <numeric>
 
+#include "functional/methods/caster_layer.h"
+
 namespace wedgesim::functional {
 namespace {
 
 constexpr float kNowhere = std::numeric_limits<float>::infinity();
+constexpr float kNothing = -1.0F;             // a key where there is no umbra
 constexpr double kBeforeFirstVertex = 0.999;  // the near plane, of the least height of a caster
 using Corners = std::array<glm::dvec3, 3>;
 
@@ -39,108 +42,92 @@ LightView view_of(const Scene& scene, const LightDisk& disk,
   return make_light_view(disk.centre, disk.normal, kBeforeFirstVertex * least, points, resolution);
 }
 
-// Distances from the light's centre along one row of one triangle.
-class RowDistances {
+// How near something on a ray is: 1/w where distances are exact, else 1/distance of interpolated
+// distances. What is kept of a texel becomes a distance only at the end.
+class Keys {
  public:
-  RowDistances(const MapRays& rays, const glm::dvec3& centre, Distances kind)
-      : rays_(rays), centre_(centre), kind_(kind) {}
+  Keys(const LightView& view, Distances kind) : centre_(view.eye), rays_(view), kind_(kind) {}
 
-  // Calls texel(x, distance) for x_begin ≤ x < x_end.
+  // Calls texel(x, key) for x_begin ≤ x < x_end.
   template <typename Texel>
-  void operator()(const MapTriangle& triangle, const Corners& corners, int y, int x_begin,
-                  int x_end, Texel&& texel) const {
+  void along(const MapTriangle& t, const Corners& corners, int y, int x_begin, int x_end,
+             Texel&& texel) const {
+    const TexelPlane& plane = t.inverse_w;
+    const double row = plane.b * (y + 0.5) + plane.c;
+    const double low = 1.0 / t.w_high;
+    const double high = 1.0 / t.w_low;
     if (kind_ == Distances::exact) {
       for (int x = x_begin; x < x_end; ++x) {
-        texel(x, triangle.w(x + 0.5, y + 0.5) * rays_.length(x + 0.5, y + 0.5));
+        texel(x, static_cast<float>(std::clamp(plane.a * (x + 0.5) + row, low, high)));
       }
       return;
     }
-    const TexelPlane over_w = triangle.over_w(distances(corners));
+    const TexelPlane distance = t.over_w(distances(corners));
     for (int x = x_begin; x < x_end; ++x) {
-      texel(x, triangle.w(x + 0.5, y + 0.5) * over_w.at(x + 0.5, y + 0.5));
+      const double inverse = std::clamp(plane.a * (x + 0.5) + row, low, high);
+      texel(x, static_cast<float>(inverse / distance.at(x + 0.5, y + 0.5)));
     }
   }
 
+  double distance(double x, double y, float key) const {
+    return kind_ == Distances::exact ? rays_.length(x, y) / static_cast<double>(key)
+                                     : 1.0 / static_cast<double>(key);
+  }
+
+  // |cx_s| of a side that is at (x, y).
+  double edge_distance(const MapTriangle& t, const VolumeTriangle& side, double x, double y,
+                       float key) const {
+    const double d = distance(x, y, key);
+    if (kind_ == Distances::exact) {
+      return d / std::max(1.0, t.over_w(side.ratios).at(x, y) / static_cast<double>(key));
+    }
+    std::array<double, 3> at_corners = distances(side.corners);
+    for (std::size_t i = 0; i < 3; ++i) at_corners[i] /= side.ratios[i];
+    return std::min(d, t.over_w(at_corners).at(x, y) * t.w(x, y));
+  }
+
+ private:
   std::array<double, 3> distances(const Corners& corners) const {
     return {glm::distance(corners[0], centre_), glm::distance(corners[1], centre_),
             glm::distance(corners[2], centre_)};
   }
-  Distances kind() const { return kind_; }
 
- private:
-  MapRays rays_;
   glm::dvec3 centre_;
+  MapRays rays_;
   Distances kind_;
 };
 
-// |cx_s| on one triangle of a volume, from the distance of the point and its place in the map.
-class EdgeDistance {
- public:
-  EdgeDistance(const MapTriangle& drawn, const VolumeTriangle& triangle,
-               const RowDistances& distances)
-      : drawn_(drawn), exact_(distances.kind() == Distances::exact) {
-    if (exact_) {
-      over_w_ = drawn.over_w(triangle.ratios);
-    } else {
-      std::array<double, 3> at_corners = distances.distances(triangle.corners);
-      for (std::size_t i = 0; i < 3; ++i) at_corners[i] /= triangle.ratios[i];
-      over_w_ = drawn.over_w(at_corners);
-    }
-  }
-  float operator()(int x, int y, double distance) const {
-    const double value = drawn_.w(x + 0.5, y + 0.5) * over_w_.at(x + 0.5, y + 0.5);
-    const double edge = exact_ ? distance / std::max(1.0, value) : std::min(value, distance);
-    return static_cast<float>(edge);
+// Sides of a volume and how they are drawn.
+struct Sides {
+  Sides(const LightView& view, std::vector<VolumeTriangle> all)
+      : triangles(std::move(all)), drawn(view, corners_of_all(triangles)) {}
+  static std::vector<Corners> corners_of_all(const std::vector<VolumeTriangle>& sides) {
+    std::vector<Corners> corners;
+    corners.reserve(sides.size());
+    for (const VolumeTriangle& side : sides) corners.push_back(side.corners);
+    return corners;
   }
 
- private:
-  const MapTriangle& drawn_;
-  bool exact_;
-  TexelPlane over_w_;
-};
-
-// What one caster has on the rays of a map; all empty between two casters.
-struct CasterLayer {
-  explicit CasterLayer(std::size_t texels)
-      : entries(texels, 0), inside(texels, 0), distance(texels, 0.0F), edge(texels, 0.0F) {}
-  std::vector<std::uint8_t> entries;  // whether the ray enters it
-  std::vector<std::int16_t> inside;   // umbra volumes entered less those left
-  std::vector<float> distance;        // of the crossing kept; 0 if none
-  std::vector<float> edge;            // |cx_s| there
-
-  void offer(std::size_t texel, float d, Keep keep, const auto& edge_of) {
-    float& kept = distance[texel];
-    if (kept != 0.0F && !(keep == Keep::nearest ? d < kept : d > kept)) return;
-    kept = d;
-    edge[texel] = edge_of();
-  }
-  void cross(std::size_t texel, bool into) { into ? ++inside[texel] : --inside[texel]; }
-  void clear(std::size_t texel) {
-    entries[texel] = 0;
-    inside[texel] = 0;
-    distance[texel] = 0.0F;
-  }
+  std::vector<VolumeTriangle> triangles;
+  MapTriangles drawn;
 };
 
 class Drawer {
  public:
-  Drawer(const Scene& scene, const LightDisk& disk, const DBufferOptions& options,
-         const LightView& view)
+  Drawer(const Scene& scene, const DBufferOptions& options, const LightView& view)
       : scene_(scene),
         options_(options),
         size_(static_cast<std::size_t>(view.width)),
-        distances_(MapRays(view), disk.centre, options.distances),
-        within_(options.crossing == Crossing::farthest ? Keep::farthest : Keep::nearest),
-        among_(options.crossing == Crossing::nearest ? Keep::nearest : Keep::farthest),
-        surface_(size_ * size_, kNowhere),
+        keys_(view, options.distances),
+        surface_(size_ * size_, 0.0F),
         layer_(size_ * size_),
         row_tests_(size_, 0),
         row_writes_(size_, 0) {
     map_.view = view;
     map_.width = view.width;
-    map_.occluder.assign(size_ * size_, kNowhere);
-    map_.umbra.assign(size_ * size_, 0.0F);
-    map_.penumbra.assign(size_ * size_, kNowhere);
+    map_.occluder.assign(size_ * size_, 0.0F);
+    map_.umbra.assign(size_ * size_, kNothing);
+    map_.penumbra.assign(size_ * size_, 0.0F);
     map_.umbra_edge.assign(size_ * size_, 0.0F);
     map_.penumbra_edge.assign(options.two_edges ? size_ * size_ : 0, 0.0F);
   }
@@ -152,105 +139,132 @@ class Drawer {
       if (object.casts) continue;
       for (const auto& t : object.mesh.triangles) triangles.push_back(corners_of(object.mesh, t));
     }
-    draw(triangles, [&](const MapTriangle& t, int y, int x_begin, int x_end) {
-      distances_(t, triangles[t.index], y, x_begin, x_end,
-                 [&](int x, double d) { lower(surface_, at(x, y), static_cast<float>(d), y); });
+    draw({map_.view, triangles}, triangles, [&](const MapTriangle&, int y) {
+      return [this, y](std::size_t texel, float key) { raise(surface_[texel], key, y); };
     });
   }
 
-  // A caster's faces and umbra quads: |cx_o|, |cx_uv|, |cx_s|.
+  // A caster's faces and umbra volume: |cx_o|, |cx_uv|, |cx_s|.
   void draw_umbra(const Mesh& mesh, const DiskSilhouettes& silhouettes,
                   const DiskVolumes& volumes) {
     std::vector<Corners> faces;
     faces.reserve(mesh.triangles.size());
     for (const auto& t : mesh.triangles) faces.push_back(corners_of(mesh, t));
-    MapTriangles::Box box = draw(faces, [&](const MapTriangle& t, int y, int x_begin, int x_end) {
+    const MapTriangles drawn(map_.view, faces);
+    draw(drawn, faces, [&](const MapTriangle& t, int y) {
       const bool lit = silhouettes.facings[t.index] != DiskFacing::none;
-      distances_(t, faces[t.index], y, x_begin, x_end, [&](int x, double d) {
-        const std::size_t texel = at(x, y);
-        lower(t.faces_light ? surface_ : map_.occluder, texel, static_cast<float>(d), y);
-        if (t.faces_light) layer_.entries[texel] = 1;
-        if (lit) layer_.cross(texel, t.faces_light);
-      });
+      return [this, y, lit, enters = t.faces_light](std::size_t texel, float key) {
+        raise(enters ? surface_[texel] : map_.occluder[texel], key, y);
+        if (enters) layer_[texel].enter(key);
+        if (lit) layer_[texel].cross(enters);
+      };
     });
-    std::vector<VolumeTriangle> sides = volumes.umbra;
-    const std::size_t quads = sides.size();
-    sides.insert(sides.end(), volumes.back_belt.begin(), volumes.back_belt.end());
-    box = united(box, draw_sides(sides, [&](const MapTriangle& t, std::size_t texel, float d,
-                                            const auto& edge_of) {
-                   if (t.index < quads) layer_.cross(texel, t.faces_light);
-                   if (!t.faces_light) layer_.offer(texel, d, within_, edge_of);
-                 }));
-    merge(box, [&](std::size_t texel, int y) {
-      if (layer_.entries[texel] == 0) return;
-      const float kept = layer_.distance[texel];
-      const float d = layer_.inside[texel] > 0 || kept == 0.0F ? kNowhere : kept;
-      float& umbra = map_.umbra[texel];
-      if (umbra != 0.0F && !(among_ == Keep::nearest ? d < umbra : d > umbra)) return;
-      umbra = d;
-      map_.umbra_edge[texel] = layer_.edge[texel];
-      ++row_writes_[static_cast<std::size_t>(y)];
+    std::vector<VolumeTriangle> all = volumes.umbra;
+    const std::size_t quads = all.size();
+    all.insert(all.end(), volumes.back_belt.begin(), volumes.back_belt.end());
+    const Sides sides(map_.view, std::move(all));
+    draw(sides.drawn, Sides::corners_of_all(sides.triangles), [&](const MapTriangle& t, int) {
+      return [this, quad = t.index < quads, leaves = !t.faces_light, id = sides.drawn.id(t)](
+                 std::size_t texel, float key) {
+        CasterLayer::Texel& layer = layer_[texel];
+        if (quad) layer.cross(!leaves);
+        // Of quads that have run past the other side of their caster, none before it counts.
+        if (leaves && key <= layer.entry) layer.offer({key, id});
+      };
     });
+    merge(united(drawn.box(), sides.drawn.box()),
+          [&](CasterLayer::Texel& layer, std::size_t texel, int x, int y) {
+            if (layer.entries == 0) return;
+            const bool near = options_.crossing == Crossing::nearest ||
+                              (options_.crossing == Crossing::by_caster && layer.entries == 1);
+            const SideKey side = near ? layer.nearest : layer.farthest;
+            // A ray that grazes the caster may leave before, by rounding, it enters.
+            const bool grazes = layer.inside <= 0 && side.key == 0.0F;
+            const float key = layer.inside > 0 ? 0.0F : (grazes ? layer.entry : side.key);
+            float& umbra = map_.umbra[texel];
+            if (umbra != kNothing && !(nearest_caster() ? key > umbra : key < umbra)) return;
+            umbra = key;
+            if (grazes) {
+              map_.umbra_edge[texel] = static_cast<float>(keys_.distance(x + 0.5, y + 0.5, key));
+            } else if (key > 0.0F) {
+              map_.umbra_edge[texel] = edge_distance(sides, side, x, y);
+            }
+            ++row_writes_[static_cast<std::size_t>(y)];
+          });
   }
 
   // A caster's penumbra volume, where it is in front of all surfaces: |cx_pv|, |cx_s|.
   void draw_penumbra(const DiskVolumes& volumes) {
-    const MapTriangles::Box box =
-        draw_sides(volumes.penumbra,
-                   [&](const MapTriangle& t, std::size_t texel, float d, const auto& edge_of) {
-                     if (t.faces_light && d < surface_[texel])
-                       layer_.offer(texel, d, within_, edge_of);
-                   });
-    merge(box, [&](std::size_t texel, int y) {
-      const float d = layer_.distance[texel];
-      if (d == 0.0F || (!options_.two_edges && map_.umbra[texel] != 0.0F)) return;
+    const Sides sides(map_.view, volumes.penumbra);
+    draw(sides.drawn, Sides::corners_of_all(sides.triangles), [&](const MapTriangle& t, int) {
+      return [this, enters = t.faces_light, id = sides.drawn.id(t)](std::size_t texel, float key) {
+        if (enters && key > surface_[texel]) layer_[texel].offer({key, id});
+      };
+    });
+    merge(sides.drawn.box(), [&](CasterLayer::Texel& layer, std::size_t texel, int x, int y) {
+      if (layer.nearest.key == 0.0F) return;
+      if (!options_.two_edges && map_.umbra[texel] != kNothing) return;
+      const SideKey side = options_.crossing == Crossing::farthest ? layer.farthest : layer.nearest;
       float& penumbra = map_.penumbra[texel];
-      const bool better = among_ == Keep::nearest ? d < penumbra : d > penumbra;
-      if (penumbra != kNowhere && !better) return;
-      penumbra = d;
-      (options_.two_edges ? map_.penumbra_edge : map_.umbra_edge)[texel] = layer_.edge[texel];
+      const bool better = nearest_caster() ? side.key > penumbra : side.key < penumbra;
+      if (penumbra != 0.0F && !better) return;
+      penumbra = side.key;
+      auto& edges = options_.two_edges ? map_.penumbra_edge : map_.umbra_edge;
+      edges[texel] = edge_distance(sides, side, x, y);
       ++row_writes_[static_cast<std::size_t>(y)];
     });
   }
 
+  // Turns keys into distances.
   DBuffer finish() {
+    tbb::parallel_for(std::size_t{0}, size_, [&](std::size_t y) {
+      for (std::size_t x = 0; x < size_; ++x) {
+        const std::size_t texel = y * size_ + x;
+        float& occluder = map_.occluder[texel];
+        float& umbra = map_.umbra[texel];
+        float& penumbra = map_.penumbra[texel];
+        const bool nothing = occluder == 0.0F && umbra == kNothing && penumbra == 0.0F;
+        const double of_unit = nothing ? 1.0
+                                       : keys_.distance(static_cast<double>(x) + 0.5,
+                                                        static_cast<double>(y) + 0.5, 1.0F);
+        const auto distance = [of_unit](float key) {
+          return key == 0.0F ? kNowhere : static_cast<float>(of_unit / static_cast<double>(key));
+        };
+        occluder = distance(occluder);
+        umbra = umbra == kNothing ? 0.0F : distance(umbra);
+        penumbra = distance(penumbra);
+      }
+    });
     map_.tests = std::accumulate(row_tests_.begin(), row_tests_.end(), std::uint64_t{0});
     map_.writes = std::accumulate(row_writes_.begin(), row_writes_.end(), std::uint64_t{0});
     return std::move(map_);
   }
 
  private:
-  std::size_t at(int x, int y) const {
-    return static_cast<std::size_t>(y) * size_ + static_cast<std::size_t>(x);
-  }
+  bool nearest_caster() const { return options_.crossing == Crossing::nearest; }
 
-  void lower(std::vector<float>& map, std::size_t texel, float d, int y) {
-    if (!(d < map[texel])) return;
-    map[texel] = d;
+  void raise(float& kept, float key, int y) {
+    if (!(key > kept)) return;
+    kept = key;
     ++row_writes_[static_cast<std::size_t>(y)];
   }
 
-  template <typename Row>
-  MapTriangles::Box draw(const std::vector<Corners>& triangles, Row&& row) {
-    const MapTriangles drawn(map_.view, triangles);
-    drawn.for_each_row([&](const MapTriangle& t, int y, int x_begin, int x_end) {
-      row_tests_[static_cast<std::size_t>(y)] += static_cast<std::uint64_t>(x_end - x_begin);
-      row(t, y, x_begin, x_end);
-    });
-    return drawn.box();
+  float edge_distance(const Sides& sides, const SideKey& side, int x, int y) const {
+    const MapTriangle& t = sides.drawn[side.triangle];
+    return static_cast<float>(
+        keys_.edge_distance(t, sides.triangles[t.index], x + 0.5, y + 0.5, side.key));
   }
 
-  // Calls side(triangle, texel, distance, function that gives |cx_s|).
-  template <typename Side>
-  MapTriangles::Box draw_sides(const std::vector<VolumeTriangle>& sides, Side&& side) {
-    std::vector<Corners> triangles;
-    triangles.reserve(sides.size());
-    for (const VolumeTriangle& t : sides) triangles.push_back(t.corners);
-    return draw(triangles, [&](const MapTriangle& t, int y, int x_begin, int x_end) {
-      const EdgeDistance edge(t, sides[t.index], distances_);
-      distances_(t, triangles[t.index], y, x_begin, x_end, [&](int x, double d) {
-        side(t, at(x, y), static_cast<float>(d), [&] { return edge(x, y, d); });
-      });
+  // \param make_texel  of a triangle and a row: the function that is called with texel and key
+  template <typename MakeTexel>
+  void draw(const MapTriangles& drawn, const std::vector<Corners>& corners,
+            MakeTexel&& make_texel) {
+    drawn.for_each_row([&](const MapTriangle& t, int y, int x_begin, int x_end) {
+      row_tests_[static_cast<std::size_t>(y)] += static_cast<std::uint64_t>(x_end - x_begin);
+      const auto texel = make_texel(t, y);
+      const std::size_t row = static_cast<std::size_t>(y) * size_;
+      keys_.along(t, corners[t.index], y, x_begin, x_end,
+                  [&](int x, float key) { texel(row + static_cast<std::size_t>(x), key); });
     });
   }
 
@@ -259,13 +273,15 @@ class Drawer {
             std::min(a.y_begin, b.y_begin), std::max(a.y_end, b.y_end)};
   }
 
-  // Calls texel(index, row) where a caster may have been drawn and empties its layer there.
-  template <typename Texel>
-  void merge(const MapTriangles::Box& box, Texel&& texel) {
+  // Takes over the layer where a caster may have been drawn, and empties it there.
+  template <typename Take>
+  void merge(const MapTriangles::Box& box, Take&& take) {
     tbb::parallel_for(box.y_begin, std::max(box.y_begin, box.y_end), [&](int y) {
       for (int x = box.x_begin; x < box.x_end; ++x) {
-        texel(at(x, y), y);
-        layer_.clear(at(x, y));
+        const std::size_t texel = static_cast<std::size_t>(y) * size_ + static_cast<std::size_t>(x);
+        if (layer_[texel].untouched()) continue;
+        take(layer_[texel], texel, x, y);
+        layer_[texel] = {};
       }
     });
   }
@@ -273,9 +289,8 @@ class Drawer {
   const Scene& scene_;
   DBufferOptions options_;
   std::size_t size_;
-  RowDistances distances_;
-  Keep within_, among_;
-  std::vector<float> surface_;  // the nearest surface of all that is there
+  Keys keys_;
+  std::vector<float> surface_;  // key of the nearest surface of all that is there
   CasterLayer layer_;
   std::vector<std::uint64_t> row_tests_, row_writes_;
   DBuffer map_;
@@ -288,7 +303,7 @@ DBuffer draw_d_buffer(const Scene& scene, const LightDisk& disk,
                       const std::vector<DiskVolumes>& volumes, const DBufferOptions& options) {
   const LightView view = view_of(scene, disk, volumes, options.resolution);
   if (view.width == 0) return {};
-  Drawer drawer(scene, disk, options, view);
+  Drawer drawer(scene, options, view);
   drawer.draw_receivers();
   std::size_t caster = 0;
   for (const Object& object : scene.objects) {

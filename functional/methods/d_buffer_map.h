@@ -11,9 +11,11 @@ namespace wedgesim::functional {
 
 /// Which of several crossings of a ray with umbra (penumbra) volumes a texel keeps.
 enum class Crossing {
-  by_caster,  // of one caster the nearest, which trims its umbra quads; of several the farthest
-  farthest,   // of all: the paper's choice for concave and overlapping occluders
-  nearest     // of all
+  /// Of one caster the nearest, which trims its umbra quads, but the farthest where the ray enters
+  /// the caster more than once; of several casters the farthest.
+  by_caster,
+  farthest,  // of all: the paper's choice for concave and overlapping occluders
+  nearest    // of all
 };
 
 struct DBufferOptions {

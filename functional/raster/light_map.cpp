@@ -30,31 +30,63 @@ void rescale(LightView& view, double sx, double tx, double sy, double ty) {
   view.world_from_window = view.world_from_window * back;
 }
 
-void prepare(const LightView& view, std::uint32_t index, const std::array<glm::dvec3, 3>& corners,
-             std::vector<MapTriangle>& result) {
+// The corners as (x·w, y·w, w), each a column.
+glm::dmat3 columns_of(const LightView& view, const std::array<glm::dvec3, 3>& corners) {
+  const glm::dmat4& m = view.window_from_world;
+  glm::dmat3 columns;
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec3& p = corners[static_cast<std::size_t>(i)];
+    for (int row = 0; row < 3; ++row) {
+      const int from = row == 2 ? 3 : row;
+      columns[i][row] = m[0][from] * p.x + m[1][from] * p.y + m[2][from] * p.z + m[3][from];
+    }
+  }
+  return columns;
+}
+
+// Adds a part of a triangle's outline, unless it covers nothing.
+void add_part(std::uint32_t index, const glm::dmat3& columns, double w_low, double w_high,
+              std::span<const SnappedPoint> outline, std::vector<MapTriangle>& result) {
+  const std::int64_t area = doubled_area(outline);
+  if (area == 0) return;
+  MapTriangle& triangle = result.emplace_back();
+  triangle.index = index;
+  triangle.faces_light = area < 0;
+  CHECK_LE(outline.size(), triangle.outline.size());
+  std::copy(outline.begin(), outline.end(), triangle.outline.begin());
+  triangle.corners = static_cast<std::uint32_t>(outline.size());
+  triangle.inverse_corners = glm::inverse(columns);
+  triangle.inverse_w = triangle.over_w({1.0, 1.0, 1.0});
+  triangle.w_low = w_low;
+  triangle.w_high = w_high;
+}
+
+void prepare(const LightView& view, double near, std::uint32_t index,
+             const std::array<glm::dvec3, 3>& corners, std::vector<MapTriangle>& result) {
+  const glm::dmat3 columns = columns_of(view, corners);
+  bool whole = true;  // neither near plane nor guard band cut it, as nearly always
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec3& p = columns[i];
+    whole &= p.z >= near && p.x >= kGuardLow * p.z && p.x <= kGuardHigh * p.z &&
+             p.y >= kGuardLow * p.z && p.y <= kGuardHigh * p.z;
+  }
+  if (whole) {
+    std::array<SnappedPoint, 3> outline;
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3& p = columns[i];
+      outline[static_cast<std::size_t>(i)] = snap({p.x / p.z, p.y / p.z, 0.0});
+    }
+    const auto [low, high] = std::minmax({columns[0].z, columns[1].z, columns[2].z});
+    add_part(index, columns, low, high, outline, result);
+    return;
+  }
   const std::vector<WindowPoint> points = clip_to_window(view, corners);
   if (points.size() < 3) return;
+  const auto [low, high] = std::minmax_element(
+      points.begin(), points.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
   for (const std::vector<SnappedPoint>& part : convex_parts(snap(points))) {
-    const std::int64_t area = doubled_area(part);
-    if (area == 0) continue;
-    MapTriangle triangle;
-    triangle.faces_light = area < 0;
-    triangle.index = index;
-    CHECK_LE(part.size(), triangle.outline.size());
-    std::copy(part.begin(), part.end(), triangle.outline.begin());
-    triangle.corners = static_cast<std::uint32_t>(part.size());
-    glm::dmat3 m;
-    for (int i = 0; i < 3; ++i) {
-      const glm::dvec4 p = view.window_from_world * glm::dvec4(corners[std::size_t(i)], 1.0);
-      m[i] = glm::dvec3(p.x, p.y, p.w);
-    }
-    triangle.inverse_corners = glm::inverse(m);
-    triangle.inverse_w = triangle.over_w({1.0, 1.0, 1.0});
-    const auto [near, far] = std::minmax_element(
-        points.begin(), points.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
-    triangle.w_low = view_distance(view, near->z);
-    triangle.w_high = view_distance(view, far->z);
-    result.push_back(triangle);
+    add_part(index, columns, view_distance(view, low->z), view_distance(view, high->z), part,
+             result);
   }
 }
 
@@ -120,10 +152,11 @@ MapTriangles::MapTriangles(const LightView& view,
     : size_(view.width), box_{view.width, 0, view.width, 0} {
   const std::size_t tasks = (triangles.size() + kTrianglesATask - 1) / kTrianglesATask;
   std::vector<std::vector<MapTriangle>> of_task(tasks);
+  const double near = tasks > 0 ? view_distance(view, 0.0) : 0.0;
   tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
     const std::size_t end = std::min(triangles.size(), (task + 1) * kTrianglesATask);
     for (std::size_t t = task * kTrianglesATask; t < end; ++t) {
-      prepare(view, static_cast<std::uint32_t>(t), triangles[t], of_task[task]);
+      prepare(view, near, static_cast<std::uint32_t>(t), triangles[t], of_task[task]);
     }
   });
   for (const auto& part : of_task) triangles_.insert(triangles_.end(), part.begin(), part.end());

@@ -90,6 +90,13 @@ class MapTriangles {
   template <typename Row>
   void for_each_row(Row&& row) const;
 
+  /// The parts that the triangles are drawn as, by a number of their own.
+  const MapTriangle& operator[](std::uint32_t id) const { return triangles_[id]; }
+  /// \param triangle  one that for_each_row gave
+  std::uint32_t id(const MapTriangle& triangle) const {
+    return static_cast<std::uint32_t>(&triangle - triangles_.data());
+  }
+
   /// Rows and columns that may be covered: begin and past the end.
   struct Box {
     int x_begin = 0, x_end = 0, y_begin = 0, y_end = 0;
