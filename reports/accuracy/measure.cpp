@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "base/error.h"
+#include "functional/scene/lights.h"
 #include "reports/accuracy/peak_memory.h"
 #include "reports/accuracy/truth.h"
 
@@ -25,7 +26,13 @@ double median_of(std::vector<double> values) {
 }
 
 /// The scene as its lights are shadowed: one after the other.
-std::vector<Scene> lit_by_each(const Scene& scene) { return {scene}; }
+std::vector<Scene> lit_by_each(const Scene& scene) {
+  std::vector<Scene> lit;
+  for (std::size_t i = 0; i < functional::light_count(scene); ++i) {
+    lit.push_back(functional::with_light(scene, i));
+  }
+  return lit;
+}
 
 class SceneMeasurement {
  public:

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "functional/scene/lights.h"
 #include "functional/scene/scene_file.h"
 #include "reports/accuracy/accuracy_json.h"
 #include "reports/accuracy/accuracy_text.h"
@@ -33,6 +34,28 @@ TEST(Measure, SaysOfEachChoiceWhatItErrsAndCosts) {
   ASSERT_EQ(few.timing.stages.size(), 1U);
   EXPECT_EQ(few.timing.stages[0].name, "pixels");
   EXPECT_EQ(few.visibility.at(0).size(), 60U * 40U);
+}
+
+TEST(Measure, ErrorsAndAccessesAreOfAllLights) {
+  functional::SceneOptions scene_options;
+  scene_options.size = {60, 40};
+  const functional::Scene scene = functional::load_scene("two-lights", scene_options);
+  ASSERT_EQ(functional::light_count(scene), 2U);
+  const MeasureOptions options{
+      .choices = {functional::choose_method("", "raytraced-4")}, .rays = 256, .repetitions = 1};
+  const SceneResult both = measure(scene, options);
+  std::array<SceneResult, 2> each;
+  for (std::size_t i = 0; i < 2; ++i) each[i] = measure(functional::with_light(scene, i), options);
+  const auto receivers = [](const SceneResult& result) {
+    return result.methods[0].on(Region::receivers);
+  };
+  EXPECT_EQ(both.reference.size(), 2U);
+  EXPECT_NE(each[0].reference, each[1].reference);
+  EXPECT_EQ(both.methods[0].accesses.z_reads, 2U * 60U * 40U);
+  EXPECT_EQ(receivers(both).values, 2 * receivers(each[0]).values);
+  const double squares =
+      std::pow(receivers(each[0]).rmse, 2) + std::pow(receivers(each[1]).rmse, 2);
+  EXPECT_NEAR(receivers(both).rmse, std::sqrt(squares / 2.0), 1e-12);
 }
 
 TEST(Measure, TheSameRunTwiceGivesTheSameJsonButForTimings) {
