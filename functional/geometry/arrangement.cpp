@@ -1,5 +1,7 @@
 #include "functional/geometry/arrangement.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "functional/geometry/cell_grid.h"
@@ -61,27 +63,67 @@ bool meets_square(const GridSegment& s, const GridPoint& v) {
   return first == 0 || side(1, 0) != first || side(0, 1) != first || side(1, 1) != first;
 }
 
+// Calls part(begin, end, out) for parts of a range at once and puts what they add to `out` one
+// behind the other.
+template <typename Item, typename Part>
+void gather(std::size_t size, std::vector<Item>& all, Part&& part) {
+  constexpr std::size_t kPart = 4096;
+  if (size <= kPart) return part(std::size_t{0}, size, all);
+  std::vector<std::vector<Item>> parts((size + kPart - 1) / kPart);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    part(i * kPart, std::min(size, (i + 1) * kPart), parts[i]);
+  });
+  for (const auto& items : parts) all.insert(all.end(), items.begin(), items.end());
+}
+
 std::vector<GridPoint> all_vertices(std::span<const GridSegment> segments, const CellGrid& grid,
                                     const CellLists& segments_in) {
   std::vector<GridPoint> vertices;
+  vertices.reserve(4 * segments.size());
   for (const GridSegment& s : segments) {
     vertices.push_back(s.begin);
     vertices.push_back(s.end);
   }
-  GridPoint point;
-  for (std::size_t cell = 0; cell < grid.cells(); ++cell) {
-    const auto here = segments_in[cell];
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      for (std::size_t j = i + 1; j < here.size(); ++j) {
-        if (crossing(segments[here[i]], segments[here[j]], point) && grid.cell_of(point) == cell) {
-          vertices.push_back(point);
+  gather(grid.cells(), vertices, [&](std::size_t first, std::size_t last, auto& found) {
+    GridPoint point;
+    for (std::size_t cell = first; cell < last; ++cell) {
+      const auto here = segments_in[cell];
+      for (std::size_t i = 0; i < here.size(); ++i) {
+        for (std::size_t j = i + 1; j < here.size(); ++j) {
+          if (crossing(segments[here[i]], segments[here[j]], point) &&
+              grid.cell_of(point) == cell) {
+            found.push_back(point);
+          }
         }
       }
     }
-  }
+  });
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
+}
+
+// Edges from vertex to vertex along segment s, which passes some cells.
+void add_edges(const GridSegment& s, std::span<const CellLists::Entry> cells,
+               const std::vector<GridPoint>& vertices, const CellLists& vertices_in,
+               std::vector<std::uint32_t>& way, std::vector<Arrangement::Edge>& edges) {
+  way.clear();
+  for (const CellLists::Entry& entry : cells) {
+    for (const std::uint32_t v : vertices_in[entry.cell]) {
+      if (meets_square(s, vertices[v])) way.push_back(v);
+    }
+  }
+  // A segment passes grid squares in the order of both coordinates.
+  const int sx = s.end.x >= s.begin.x ? 1 : -1;
+  const int sy = s.end.y >= s.begin.y ? 1 : -1;
+  std::sort(way.begin(), way.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::int64_t{sx} * vertices[a].x + std::int64_t{sy} * vertices[a].y <
+           std::int64_t{sx} * vertices[b].x + std::int64_t{sy} * vertices[b].y;
+  });
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    const auto [low, high] = std::minmax(way[i], way[i + 1]);
+    edges.push_back({low, high, way[i] == low ? s.weight : -s.weight});
+  }
 }
 
 // Edges with the same ends become one; those between equal winding numbers go.
@@ -130,41 +172,30 @@ void drop_unused_vertices(Arrangement& arrangement) {
 
 Arrangement arrange(std::span<const GridSegment> segments) {
   std::vector<GridPoint> ends;
+  ends.reserve(2 * segments.size());
   for (const GridSegment& s : segments) ends.insert(ends.end(), {s.begin, s.end});
   const CellGrid grid(ends, segments.size());
-  const CellLists segments_in(grid.cells(), [&](auto&& add) {
-    for (std::uint32_t i = 0; i < segments.size(); ++i) {
-      grid.for_each_cell({segments[i].begin, segments[i].end},
-                         [&](std::size_t cell) { add(cell, i); });
-    }
-  });
+  std::vector<CellLists::Entry> entries;  // segment by segment
+  entries.reserve(3 * segments.size());
+  std::vector<std::size_t> first{0};
+  first.reserve(segments.size() + 1);
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    grid.for_each_cell({segments[i].begin, segments[i].end}, [&](std::uint32_t cell) {
+      entries.push_back({cell, i});
+    });
+    first.push_back(entries.size());
+  }
   Arrangement arrangement;
   std::vector<GridPoint>& vertices = arrangement.vertices;
-  vertices = all_vertices(segments, grid, segments_in);
-  const CellLists vertices_in(grid.cells(), [&](auto&& add) {
-    for (std::uint32_t i = 0; i < vertices.size(); ++i) add(grid.cell_of(vertices[i]), i);
-  });
-
-  std::vector<std::uint32_t> way;  // the vertices of one segment
-  for (const GridSegment& s : segments) {
-    way.clear();
-    grid.for_each_cell({s.begin, s.end}, [&](std::size_t cell) {
-      for (const std::uint32_t v : vertices_in[cell]) {
-        if (meets_square(s, vertices[v])) way.push_back(v);
-      }
-    });
-    // A segment passes grid squares in the order of both coordinates.
-    const int sx = s.end.x >= s.begin.x ? 1 : -1;
-    const int sy = s.end.y >= s.begin.y ? 1 : -1;
-    std::sort(way.begin(), way.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::int64_t{sx} * vertices[a].x + std::int64_t{sy} * vertices[a].y <
-             std::int64_t{sx} * vertices[b].x + std::int64_t{sy} * vertices[b].y;
-    });
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-      const auto [low, high] = std::minmax(way[i], way[i + 1]);
-      arrangement.edges.push_back({low, high, way[i] == low ? s.weight : -s.weight});
+  vertices = all_vertices(segments, grid, CellLists(grid.cells(), entries));
+  const CellLists vertices_in(grid, vertices);
+  gather(segments.size(), arrangement.edges, [&](std::size_t begin, std::size_t end, auto& edges) {
+    std::vector<std::uint32_t> way;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto cells = std::span(entries).subspan(first[i], first[i + 1] - first[i]);
+      add_edges(segments[i], cells, vertices, vertices_in, way, edges);
     }
-  }
+  });
   merge_edges(arrangement.edges, vertices);
   drop_unused_vertices(arrangement);
   return arrangement;

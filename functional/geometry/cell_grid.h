@@ -35,13 +35,13 @@ class CellGrid {
   std::size_t cells() const {
     return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   }
-  std::size_t cell_of(const GridPoint& p) const { return cell(column(p.x), row(p.y)); }
+  std::uint32_t cell_of(const GridPoint& p) const { return cell(column(p.x), row(p.y)); }
 
   /// Calls visit(cell) for every cell that the convex outline comes near to; two points are a
   /// segment. Never misses a cell of a point that is within two units.
   template <typename Visit>
   void for_each_cell(std::initializer_list<GridPoint> outline, Visit&& visit) const {
-    any_cell(outline, [&](std::size_t cell) {
+    any_cell(outline, [&](std::uint32_t cell) {
       visit(cell);
       return false;
     });
@@ -54,6 +54,16 @@ class CellGrid {
         std::minmax_element(outline.begin(), outline.end(),
                             [](const GridPoint& a, const GridPoint& b) { return a.x < b.x; });
     const int column_end = column(last->x + kMargin);
+    if (column(first->x - kMargin) == column_end) {  // most are small
+      const auto [low, high] =
+          std::minmax_element(outline.begin(), outline.end(),
+                              [](const GridPoint& a, const GridPoint& b) { return a.y < b.y; });
+      const int row_end = row(high->y + kMargin);
+      for (int r = row(low->y - kMargin); r <= row_end; ++r) {
+        if (test(cell(column_end, r))) return true;
+      }
+      return false;
+    }
     for (int c = column(first->x - kMargin); c <= column_end; ++c) {
       const double x_low = low_.x + c * size_ - kMargin;
       const double x_high = x_low + size_ + 2 * kMargin;
@@ -83,9 +93,8 @@ class CellGrid {
   int row(double y) const {
     return std::clamp(static_cast<int>(std::floor((y - low_.y) / size_)), 0, rows_ - 1);
   }
-  std::size_t cell(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(column);
+  std::uint32_t cell(int column, int row) const {
+    return static_cast<std::uint32_t>(row * columns_ + column);
   }
   // The y of a segment within a range of x.
   static void grow(GridPoint a, GridPoint b, double x_low, double x_high, double& y_low,
@@ -109,20 +118,33 @@ class CellGrid {
 /// What lies in each cell of a grid: lists one behind the other.
 class CellLists {
  public:
-  /// \param fill  fill(add) calls add(cell, item) for everything, the same at every call
-  template <typename Fill>
-  CellLists(std::size_t cells, Fill&& fill) : first_(cells + 1, 0) {
-    fill([&](std::size_t cell, std::uint32_t) { ++first_[cell + 1]; });
+  struct Entry {
+    std::uint32_t cell, item;
+  };
+  CellLists(std::size_t cells, std::span<const Entry> entries)
+      : first_(cells + 1, 0), items_(entries.size()) {
+    for (const Entry& entry : entries) ++first_[entry.cell + 1];
     for (std::size_t i = 0; i < cells; ++i) first_[i + 1] += first_[i];
-    items_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    fill([&](std::size_t cell, std::uint32_t item) { items_[next[cell]++] = item; });
+    for (const Entry& entry : entries) items_[next[entry.cell]++] = entry.item;
   }
+  /// Of points, by their index.
+  CellLists(const CellGrid& grid, std::span<const GridPoint> points)
+      : CellLists(grid.cells(), entries_of(grid, points)) {}
+
   std::span<const std::uint32_t> operator[](std::size_t cell) const {
     return std::span(items_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
   }
 
  private:
+  static std::vector<Entry> entries_of(const CellGrid& grid, std::span<const GridPoint> points) {
+    std::vector<Entry> entries;
+    entries.reserve(points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+      entries.push_back({grid.cell_of(points[i]), i});
+    return entries;
+  }
+
   std::vector<std::uint32_t> first_;
   std::vector<std::uint32_t> items_;
 };

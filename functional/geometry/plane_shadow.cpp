@@ -78,6 +78,9 @@ void PlaneShadow::add(const Mesh& mesh) {
   for (const auto& t : mesh.triangles) {
     const auto triangle = static_cast<std::uint32_t>(triangles_.size());
     triangles_.push_back({first_vertex + t[0], first_vertex + t[1], first_vertex + t[2]});
+    const glm::dvec3& a = positions_[triangles_.back()[0]];
+    faces_.push_back({a, glm::cross(positions_[triangles_.back()[1]] - a,
+                                    positions_[triangles_.back()[2]] - a)});
     int above = 0;
     for (const std::uint32_t v : triangles_.back()) above += positions_[v].z > 0.0 ? 1 : 0;
     if (above == 1 || above == 2) crossing_.push_back(triangle);
@@ -122,10 +125,7 @@ std::vector<GridSegment> PlaneShadow::loops(const glm::dvec3& light) const {
   const glm::dvec3 from = plane_.from_world(light);
   std::vector<char> lit(triangles_.size());
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    const glm::dvec3& a = positions_[triangles_[t][0]];
-    const glm::dvec3 normal =
-        glm::cross(positions_[triangles_[t][1]] - a, positions_[triangles_[t][2]] - a);
-    lit[t] = glm::dot(normal, from - a) > 0.0 ? 1 : 0;
+    lit[t] = glm::dot(faces_[t].normal, from - faces_[t].point) > 0.0 ? 1 : 0;
   }
   std::vector<GridSegment> segments;
   const auto add = [&](const glm::dvec2& begin, const glm::dvec2& end) {

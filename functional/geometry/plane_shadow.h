@@ -34,11 +34,15 @@ class PlaneShadow {
     std::uint32_t begin, end;   // vertices, as the left triangle has them
     std::uint32_t left, right;  // triangles
   };
+  struct Face {
+    glm::dvec3 point, normal;
+  };
   void add(const Mesh& mesh);
 
   const ReceiverPlane& plane_;
   std::vector<glm::dvec3> positions_;  // in the plane's axes
   std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::vector<Face> faces_;  // of each triangle
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> crossing_;  // triangles with vertices on both sides of the plane
 };

@@ -31,10 +31,14 @@ GridPoint ReceiverPlane::vertex(const glm::dvec2& p) const {
 }
 
 bool ReceiverPlane::locate(const glm::dvec2& p, GridPoint& point) const {
-  const double x = std::round(p.x / unit);
-  const double y = std::round(p.y / unit);
-  if (!(std::abs(x) <= kGridLimit && std::abs(y) <= kGridLimit)) return false;
-  point = {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+  const double x = p.x / unit;
+  const double y = p.y / unit;
+  if (!(std::abs(x) < kGridLimit && std::abs(y) < kGridLimit)) return false;
+  // std::floor and std::round are calls without SSE 4.1; what is cut off here is above 0.
+  const auto round = [](double value) {
+    return static_cast<std::int32_t>(value + (kGridLimit + 0.5)) - kGridLimit;
+  };
+  point = {round(x), round(y)};
   return true;
 }
 

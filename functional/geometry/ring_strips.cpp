@@ -14,9 +14,7 @@ namespace {
 class VertexIndex {
  public:
   explicit VertexIndex(const std::vector<GridPoint>& vertices)
-      : vertices_(vertices), grid_(vertices, vertices.size()), in_(grid_.cells(), [&](auto&& add) {
-          for (std::uint32_t v = 0; v < vertices.size(); ++v) add(grid_.cell_of(vertices[v]), v);
-        }) {}
+      : vertices_(vertices), grid_(vertices, vertices.size()), in_(grid_, vertices) {}
 
   const GridPoint& operator[](std::uint32_t v) const { return vertices_[v]; }
 
@@ -28,7 +26,7 @@ class VertexIndex {
     const GridPoint& r = vertices_[c];
     if (turn(p, q, r) <= 0) return false;
     const std::int64_t least = lenient ? 1 : 0;
-    return !grid_.any_cell({p, q, r}, [&](std::size_t cell) {
+    return !grid_.any_cell({p, q, r}, [&](std::uint32_t cell) {
       for (const std::uint32_t v : in_[cell]) {
         const GridPoint& s = vertices_[v];
         if (v != a && v != b && v != c && turn(p, q, s) >= least && turn(q, r, s) >= least &&

@@ -15,39 +15,75 @@ namespace {
 // A number of a row of `count`, from border to border.
 double place(int index, int count) { return count == 1 ? 0.0 : 2.0 * index / (count - 1) - 1.0; }
 
-// How far the points reach, over all directions.
-double reach(const std::vector<glm::dvec2>& points) {
-  constexpr int kDirections = 16;
+// Where a share of the square lies below, seen along an axis; from border to border.
+double quantile(const glm::dvec2& axis, double share) {
+  const double p = std::max(std::abs(axis.x), std::abs(axis.y));
+  const double q = std::min(std::abs(axis.x), std::abs(axis.y));
+  const double from_end = std::min(share, 1.0 - share);
+  const double t = from_end < q / (2.0 * p) ? std::sqrt(8.0 * p * q * from_end) - p - q
+                                            : 2.0 * p * (from_end - 0.5);
+  return share < 0.5 ? t : -t;
+}
+
+// How badly the points stand for the square: the rings of a straight edge lie where the points are
+// as seen along it, and should lie where their intensity is. Sum over directions.
+double badness(const std::vector<glm::dvec2>& points) {
+  constexpr int kDirections = 8;
   double sum = 0.0;
-  for (int i = 0; i < kDirections; ++i) {
-    const double angle = M_PI * i / kDirections;
+  std::vector<double> along(points.size());
+  for (int d = 0; d < kDirections; ++d) {
+    const double angle = M_PI * (d + 0.5) / kDirections;
     const glm::dvec2 axis(std::cos(angle), std::sin(angle));
-    double low = 1e300;
-    double high = -1e300;
-    for (const glm::dvec2& p : points) {
-      low = std::min(low, glm::dot(axis, p));
-      high = std::max(high, glm::dot(axis, p));
+    for (std::size_t i = 0; i < points.size(); ++i) along[i] = glm::dot(axis, points[i]);
+    std::sort(along.begin(), along.end());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(points.size() - 1);
+      sum += std::pow(along[i] - quantile(axis, share), 2);
     }
-    sum += high - low;
   }
   return sum;
 }
 
-// Rows and columns matched at random; of some such, the one that reaches farthest. No two points
-// are in line with a side, and as seen across a side the points are spread evenly.
-std::vector<glm::dvec2> random_samples(int count, std::uint64_t seed) {
-  constexpr int kTries = 64;
-  std::mt19937_64 random(seed);
-  std::vector<int> rows(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) rows[static_cast<std::size_t>(i)] = i;
-  std::vector<glm::dvec2> best;
-  std::vector<glm::dvec2> points(rows.size());
-  for (int attempt = 0; attempt < kTries; ++attempt) {
-    for (std::size_t i = rows.size(); i > 1; --i) std::swap(rows[i - 1], rows[random() % i]);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      points[i] = {place(static_cast<int>(i), count), place(rows[i], count)};
+// One point in each column, those of neighbouring columns in different parts of the rows.
+std::vector<glm::dvec2> stratified(int count, std::mt19937_64& random) {
+  struct Point {
+    std::uint64_t part, order;  // of the rows; within a part by chance
+    int column;
+  };
+  const int blocks = static_cast<int>(std::lround(std::sqrt(count)));
+  std::vector<Point> points;
+  for (int block = 0; block < blocks; ++block) {
+    const std::size_t first = points.size();
+    for (int i = block * count / blocks; i < (block + 1) * count / blocks; ++i) {
+      points.push_back({points.size() - first, random(), i});
     }
-    if (best.empty() || reach(points) > reach(best)) best = points;
+    for (std::size_t size = points.size() - first; size > 1; --size) {
+      std::swap(points[first + size - 1].part, points[first + random() % size].part);
+    }
+  }
+  std::ranges::sort(points, [](const Point& a, const Point& b) {
+    return a.part != b.part ? a.part < b.part : a.order < b.order;
+  });
+  std::vector<glm::dvec2> result;
+  for (int row = 0; row < count; ++row) {
+    result.emplace_back(place(points[static_cast<std::size_t>(row)].column, count),
+                        place(row, count));
+  }
+  return result;
+}
+
+std::vector<glm::dvec2> random_samples(int count, std::uint64_t seed) {
+  constexpr int kTries = 32;
+  std::mt19937_64 random(seed);
+  std::vector<glm::dvec2> best;
+  double least = 1e300;
+  for (int i = 0; i < kTries; ++i) {
+    std::vector<glm::dvec2> points = stratified(count, random);
+    const double bad = badness(points);
+    if (bad < least) {
+      least = bad;
+      best = std::move(points);
+    }
   }
   return best;
 }

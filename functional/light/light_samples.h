@@ -11,7 +11,7 @@ namespace wedgesim::functional {
 
 /// Where the samples of a light are.
 enum class SamplePattern {
-  random,  // one in each row and column of the light, as far towards its border as chance allows
+  random,  // stratified, one in each row and each column, the outer ones on the border
   grid,    // rows and columns from border to border
   border,  // along the border alone, evenly
 };

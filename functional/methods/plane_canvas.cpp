@@ -41,20 +41,41 @@ std::pair<int, int> centres_between(double low, double high, int size) {
   return {static_cast<int>(first), static_cast<int>(last) + 1};
 }
 
+// The rectangle of pixels whose centres a cell may cover.
+struct PixelBox {
+  int x_begin = 0, x_end = 0, y_begin = 0, y_end = 0;
+};
+
 class Painter {
  public:
   Painter(const MethodInput& input, const ReceiverPlane& plane, std::span<const PlaneCell> cells,
           Visibility& result)
-      : input_(input), window_(input.window), plane_(plane), cells_(cells), result_(result) {}
+      : input_(input), window_(input.window), plane_(plane), cells_(cells), result_(result) {
+    const glm::dmat4& from_world = window_.window_from_world;
+    const auto flat = [](const glm::dvec4& p) { return glm::dvec3(p.x, p.y, p.w); };
+    at_x_ = flat(from_world * glm::dvec4(plane.unit * plane.x_axis, 0.0));
+    at_y_ = flat(from_world * glm::dvec4(plane.unit * plane.y_axis, 0.0));
+    at_origin_ = flat(from_world * glm::dvec4(plane.origin, 1.0));
+    near_ = view_distance(window_, 0.0);
+    const auto& rectangle = window_.near_rectangle;
+    eye_ = plane.from_world(window_.eye);
+    corner_ = plane.from_world(rectangle[0]) - eye_;
+    right_ = (plane.from_world(rectangle[1]) - plane.from_world(rectangle[0])) /
+             static_cast<double>(window_.width);
+    down_ = (plane.from_world(rectangle[3]) - plane.from_world(rectangle[0])) /
+            static_cast<double>(window_.height);
+    for (const Object& object : input.scene.objects) {
+      receives_.insert(receives_.end(), object.mesh.triangles.size(), object.casts ? 0 : 1);
+    }
+  }
 
   void run() {
-    find_points();
-    rows_.resize(cells_.size());
+    boxes_.resize(cells_.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), 512), [&](const auto& r) {
       std::vector<glm::dvec2> outline;
       for (std::size_t i = r.begin(); i < r.end(); ++i) {
         find_outline(cells_[i], outline);
-        rows_[i] = rows_of(outline);
+        boxes_[i] = box_of(outline);
       }
     });
     const int bands = (window_.height + kBandRows - 1) / kBandRows;
@@ -83,56 +104,42 @@ class Painter {
            static_cast<std::size_t>(x);
   }
 
-  void find_points() {
-    std::vector<char> receives;
-    for (const Object& object : input_.scene.objects) {
-      receives.insert(receives.end(), object.mesh.triangles.size(), object.casts ? 0 : 1);
-    }
-    const auto& near = window_.near_rectangle;
-    const glm::dvec3 eye = plane_.from_world(window_.eye);
-    const glm::dvec3 corner = plane_.from_world(near[0]);
-    const glm::dvec3 right = (plane_.from_world(near[1]) - corner) / double(window_.width);
-    const glm::dvec3 down = (plane_.from_world(near[3]) - corner) / double(window_.height);
-    targets_.resize(input_.depth.words.size());
-    tbb::parallel_for(0, window_.height, [&](int y) {
-      for (int x = 0; x < window_.width; ++x) {
-        const glm::dvec3 way = corner + (x + 0.5) * right + (y + 0.5) * down - eye;
-        const double t = -eye.z / way.z;
-        if (!(t >= 1.0)) continue;
-        Target& target = targets_[index(x, y)];
-        target.on_plane = plane_.locate({eye.x + t * way.x, eye.y + t * way.y}, target.point);
-        const std::uint32_t triangle = input_.depth.triangle[index(x, y)];
-        target.drawn = target.on_plane && triangle != DepthBuffer::kSky && receives[triangle] != 0;
-      }
-    });
+  Target target_of(int x, int y) const {
+    Target target;
+    const glm::dvec3 way = corner_ + (x + 0.5) * right_ + (y + 0.5) * down_;
+    const double t = -eye_.z / way.z;
+    if (!(t >= 1.0)) return target;
+    target.on_plane = plane_.locate({eye_.x + t * way.x, eye_.y + t * way.y}, target.point);
+    const std::uint32_t triangle = input_.depth.triangle[index(x, y)];
+    target.drawn = target.on_plane && triangle != DepthBuffer::kSky && receives_[triangle] != 0;
+    return target;
   }
 
   // On the screen; empty if none of it is in front of the eye.
   void find_outline(const PlaneCell& cell, std::vector<glm::dvec2>& outline) const {
     outline.clear();
-    std::array<glm::dvec3, 4> world;
+    const auto corners = std::span(cell.corners).first(static_cast<std::size_t>(cell.side_count));
     bool plain = true;
-    const auto count = static_cast<std::size_t>(cell.side_count);
-    for (std::size_t i = 0; i < count; ++i) {
-      world[i] = plane_.to_world(plane_.unit * cell.corners[i]);
-      const glm::dvec4 p = window_.window_from_world * glm::dvec4(world[i], 1.0);
-      plain = plain && p.w >= view_distance(window_, 0.0);
-      if (plain) outline.emplace_back(p.x / p.w, p.y / p.w);
+    for (const glm::dvec2& corner : corners) {
+      const glm::dvec3 p = corner.x * at_x_ + corner.y * at_y_ + at_origin_;
+      plain = plain && p.z >= near_;
+      outline.emplace_back(p.x / p.z, p.y / p.z);
     }
     if (plain) return;
+    std::vector<glm::dvec3> world;
+    for (const glm::dvec2& corner : corners) world.push_back(plane_.to_world(plane_.unit * corner));
     outline.clear();
-    for (const WindowPoint& p : clip_to_window(window_, std::span(world).first(count))) {
-      outline.emplace_back(p.x, p.y);
-    }
+    for (const WindowPoint& p : clip_to_window(window_, world)) outline.emplace_back(p.x, p.y);
   }
 
-  std::pair<int, int> rows_of(const std::vector<glm::dvec2>& outline) const {
-    if (outline.empty()) return {0, 0};
+  PixelBox box_of(const std::vector<glm::dvec2>& outline) const {
+    PixelBox box;
+    if (outline.empty()) return box;
     const auto [left, right] = std::ranges::minmax_element(outline, {}, &glm::dvec2::x);
-    const auto [x_begin, x_end] = centres_between(left->x, right->x, window_.width);
-    if (x_begin >= x_end) return {0, 0};
+    std::tie(box.x_begin, box.x_end) = centres_between(left->x, right->x, window_.width);
     const auto [top, bottom] = std::ranges::minmax_element(outline, {}, &glm::dvec2::y);
-    return centres_between(top->y, bottom->y, window_.height);
+    std::tie(box.y_begin, box.y_end) = centres_between(top->y, bottom->y, window_.height);
+    return box.x_begin < box.x_end ? box : PixelBox{};
   }
 
   // The pixels of a row that an outline may cover.
@@ -157,19 +164,36 @@ class Painter {
 
   /// \return z reads and writes
   std::array<std::uint64_t, 2> draw_rows(int y_begin, int y_end) {
+    std::vector<std::size_t> here;
+    PixelBox all{window_.width, 0, y_end, y_begin};
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const PixelBox& box = boxes_[i];
+      if (box.y_begin >= y_end || box.y_end <= y_begin) continue;
+      here.push_back(i);
+      all = {std::min(all.x_begin, box.x_begin), std::max(all.x_end, box.x_end),
+             std::min(all.y_begin, std::max(box.y_begin, y_begin)),
+             std::max(all.y_end, std::min(box.y_end, y_end))};
+    }
+    const int width = all.x_end - all.x_begin;
+    std::vector<Target> targets;
+    targets.reserve(static_cast<std::size_t>(std::max(0, width * (all.y_end - all.y_begin))));
+    for (int y = all.y_begin; y < all.y_end; ++y) {
+      for (int x = all.x_begin; x < all.x_end; ++x) targets.push_back(target_of(x, y));
+    }
     std::uint64_t reads = 0;
     std::uint64_t writes = 0;
     std::vector<glm::dvec2> outline;
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const int first = std::max(y_begin, rows_[i].first);
-      const int last = std::min(y_end, rows_[i].second);
-      if (first >= last) continue;
+    for (const std::size_t i : here) {
       const PlaneCell& cell = cells_[i];
-      find_outline(cell, outline);
-      for (int y = first; y < last; ++y) {
-        const auto [x_begin, x_end] = columns_of(outline, y);
+      const PixelBox& box = boxes_[i];
+      const bool small = (box.x_end - box.x_begin) * (box.y_end - box.y_begin) <= 8;
+      if (!small) find_outline(cell, outline);
+      for (int y = std::max(y_begin, box.y_begin); y < std::min(y_end, box.y_end); ++y) {
+        const auto [x_begin, x_end] =
+            small ? std::pair(box.x_begin, box.x_end) : columns_of(outline, y);
         for (int x = x_begin; x < x_end; ++x) {
-          const Target& target = targets_[index(x, y)];
+          const Target& target =
+              targets[static_cast<std::size_t>((y - all.y_begin) * width + x - all.x_begin)];
           if (!target.on_plane || !is_inside(cell, target.point)) continue;
           ++reads;
           if (!target.drawn) continue;
@@ -186,8 +210,11 @@ class Painter {
   const ReceiverPlane& plane_;
   std::span<const PlaneCell> cells_;
   Visibility& result_;
-  std::vector<Target> targets_;            // of each pixel
-  std::vector<std::pair<int, int>> rows_;  // of each cell
+  glm::dvec3 at_x_, at_y_, at_origin_;  // homogeneous window x, y and w of the grid
+  double near_ = 0.0;
+  glm::dvec3 eye_, corner_, right_, down_;  // rays to the near rectangle, in the plane's axes
+  std::vector<char> receives_;              // of each triangle of the scene
+  std::vector<PixelBox> boxes_;             // of each cell
 };
 
 }  // namespace

@@ -42,6 +42,7 @@ std::vector<glm::dvec3> choose_samples(const Scene& scene, const ReceiverPlane& 
 
 std::vector<PlaneCell> cells_of(const Rings& rings, const RingTriangles& triangles, bool flat) {
   std::vector<PlaneCell> cells;
+  cells.reserve(rings.umbra.size() + triangles.strips.size() + triangles.mends.size());
   for (const Trapezoid& trapezoid : rings.umbra) cells.push_back(make_trapezoid(trapezoid, 1.0F));
   const auto add = [&](const ShadedTriangle& triangle) {
     const auto& c = triangle.corners;
