@@ -5,8 +5,7 @@
 namespace wedgesim::functional {
 namespace {
 
-// A bridge is an edge between equal counts: those of the area that its end in an edge's corner sees
-// are found later; until then it has none.
+// Of a bridge until the area round it is walked: the counts on both its sides are that area's.
 constexpr int kUnknown = -1;
 
 }  // namespace

@@ -2,8 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include <optional>
-
+#include "base/check.h"
 #include "functional/geometry/cell_grid.h"
 #include "functional/geometry/ring_map.h"
 
@@ -18,19 +17,17 @@ class VertexIndex {
 
   const GridPoint& operator[](std::uint32_t v) const { return vertices_[v]; }
 
-  /// Counter-clockwise, and no vertex in it or on it but its corners. Vertices on its border are
-  /// allowed to a lenient question.
-  bool is_clear(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool lenient = false) const {
+  /// Counter-clockwise, and no vertex in it or on it but its corners.
+  bool is_clear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const GridPoint& p = vertices_[a];
     const GridPoint& q = vertices_[b];
     const GridPoint& r = vertices_[c];
     if (turn(p, q, r) <= 0) return false;
-    const std::int64_t least = lenient ? 1 : 0;
     return !grid_.any_cell({p, q, r}, [&](std::uint32_t cell) {
       for (const std::uint32_t v : in_[cell]) {
         const GridPoint& s = vertices_[v];
-        if (v != a && v != b && v != c && turn(p, q, s) >= least && turn(q, r, s) >= least &&
-            turn(r, p, s) >= least) {
+        if (v != a && v != b && v != c && turn(p, q, s) >= 0 && turn(q, r, s) >= 0 &&
+            turn(r, p, s) >= 0) {
           return true;
         }
       }
@@ -65,18 +62,15 @@ class StripFiller {
     nodes_.back().next = 0;
   }
 
-  /// \return whether all is filled
-  bool run(std::vector<ShadedTriangle>& triangles) {
+  void run(std::vector<ShadedTriangle>& triangles) {
     triangles_ = &triangles;
     std::uint32_t a = begin_walk();
     while (left_ > 3) {
-      const std::optional<std::uint32_t> corner = choose(a);
-      if (!corner) return false;
-      if (*corner == a) a = nodes_[a].next;
-      cut(*corner);
+      const std::uint32_t corner = choose(a);
+      if (corner == a) a = nodes_[a].next;
+      cut(corner);
     }
-    if (turn_at(a) > 0) emit(a);
-    return true;
+    emit(a);
   }
 
  private:
@@ -87,12 +81,9 @@ class StripFiller {
   };
 
   const GridPoint& point(std::uint32_t node) const { return vertices_[nodes_[node].vertex]; }
-  std::int64_t turn_at(std::uint32_t node) const {
-    return turn(point(nodes_[node].previous), point(node), point(nodes_[node].next));
-  }
-  bool can_cut(std::uint32_t node, bool lenient = false) const {
+  bool can_cut(std::uint32_t node) const {
     return vertices_.is_clear(nodes_[nodes_[node].previous].vertex, nodes_[node].vertex,
-                              nodes_[nodes_[node].next].vertex, lenient);
+                              nodes_[nodes_[node].next].vertex);
   }
 
   // The node at whose corner the walk stands: it and its predecessor lie on two rings.
@@ -113,8 +104,9 @@ class StripFiller {
   }
 
   // The corner to cut next: at one end of the line that the walk stands at, the one that gives the
-  // shorter new line; else the nearest along the rings.
-  std::optional<std::uint32_t> choose(std::uint32_t a) const {
+  // shorter new line; else the nearest along the rings. There always is one: an area with one
+  // outline and no vertex inside has a triangulation, and one triangle of it is a corner.
+  std::uint32_t choose(std::uint32_t a) const {
     const std::uint32_t b = nodes_[a].previous;
     const bool a_first = squared_distance(point(b), point(nodes_[a].next)) <=
                          squared_distance(point(a), point(nodes_[b].previous));
@@ -122,20 +114,17 @@ class StripFiller {
     if (can_cut(a_first ? b : a)) return a_first ? b : a;
     std::uint32_t x = a;
     std::uint32_t y = b;
-    for (std::size_t i = 2; i < left_; i += 2) {
+    for (std::size_t i = 2;; i += 2) {
+      CHECK_LT(i, left_);
       x = nodes_[x].next;
       y = nodes_[y].previous;
       if (can_cut(x)) return x;
       if (can_cut(y)) return y;
     }
-    for (x = nodes_[a].next; x != a; x = nodes_[x].next) {
-      if (turn_at(x) == 0 || can_cut(x, true)) return x;
-    }
-    return std::nullopt;
   }
 
   void cut(std::uint32_t node) {
-    if (turn_at(node) > 0) emit(node);
+    emit(node);
     const Node& n = nodes_[node];
     nodes_[n.previous].next = n.next;
     nodes_[n.next].previous = n.previous;
@@ -198,22 +187,16 @@ RingTriangles triangulate_rings(const Rings& rings) {
   const VertexIndex vertices(rings.vertices);
   const std::vector<std::uint32_t> areas = areas_of(map, rings.samples);
   constexpr std::size_t kAreasATask = 64;
-  struct Part {
-    std::vector<ShadedTriangle> strips;
-    std::size_t unfilled = 0;
-  };
-  std::vector<Part> parts((areas.size() + kAreasATask - 1) / kAreasATask);
+  std::vector<std::vector<ShadedTriangle>> parts((areas.size() + kAreasATask - 1) / kAreasATask);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
     const std::size_t end = std::min(areas.size(), (i + 1) * kAreasATask);
     for (std::size_t area = i * kAreasATask; area < end; ++area) {
-      const bool filled = StripFiller(rings, map, vertices, areas[area]).run(parts[i].strips);
-      parts[i].unfilled += filled ? 0 : 1;
+      StripFiller(rings, map, vertices, areas[area]).run(parts[i]);
     }
   });
   RingTriangles triangles;
-  for (const Part& part : parts) {
-    triangles.strips.insert(triangles.strips.end(), part.strips.begin(), part.strips.end());
-    triangles.unfilled += part.unfilled;
+  for (const auto& part : parts) {
+    triangles.strips.insert(triangles.strips.end(), part.begin(), part.end());
   }
   if (rings.samples > 1) triangles.mends = mends_of(rings, map, vertices);
   return triangles;

@@ -20,7 +20,6 @@ struct RingTriangles {
   /// At crossings of the innermost and the outermost ring, whose intensity is not that of umbra and
   /// light: triangles into these, drawn over them.
   std::vector<ShadedTriangle> mends;
-  std::size_t unfilled = 0;  // areas given up; none is known
 };
 
 /// Triangulates the penumbra strip by strip. The walk begins where two rings meet, or at a bridge,
