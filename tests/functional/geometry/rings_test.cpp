@@ -91,6 +91,12 @@ void expect_tiled(const Merged& shadows, const std::string& where) {
     const Wide expected = shadows.ring_area(k) - shadows.ring_area(k + 1);
     ASSERT_TRUE(filled[static_cast<std::size_t>(k)] == expected) << where << ", ring " << k;
   }
+  // Next to a crossing the outermost and the innermost ring have their own intensity.
+  for (const Rings::Edge& edge : rings.edges) {
+    const auto [outside, inside] = std::minmax(edge.below, edge.above);
+    const bool both = rings.points[edge.begin].crossing && rings.points[edge.end].crossing;
+    ASSERT_FALSE(both && (outside == 0 || inside == rings.samples)) << where;
+  }
 }
 
 // How many of the drawn areas hold a point, and how many samples the last of them says are hidden.
