@@ -112,7 +112,7 @@ std::int64_t doubled_area(std::span<const SnappedPoint> polygon) {
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const SnappedPoint& p = polygon[i];
-    const SnappedPoint& q = polygon[(i + 1) % polygon.size()];
+    const SnappedPoint& q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
     sum += std::int64_t{p.x} * q.y - std::int64_t{q.x} * p.y;
   }
   return sum;

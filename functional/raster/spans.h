@@ -34,7 +34,7 @@ void for_each_span(std::span<const SnappedPoint> polygon, int width, int y_begin
     std::int64_t x_high = width - 1;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const SnappedPoint* p = &polygon[i];
-      const SnappedPoint* q = &polygon[(i + 1) % polygon.size()];
+      const SnappedPoint* q = &polygon[i + 1 < polygon.size() ? i + 1 : 0];
       if (area < 0) std::swap(p, q);
       const std::int64_t dx = std::int64_t{q->x} - p->x;
       const std::int64_t dy = std::int64_t{q->y} - p->y;
