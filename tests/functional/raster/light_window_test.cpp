@@ -17,7 +17,7 @@ const glm::dvec3 kLight{1.0, 7.0, -2.0};
 
 std::vector<Object> boxes_over_a_floor() {
   std::vector<Object> objects;
-  objects.push_back({make_plane({50.0, 50.0}, {1, 1}), false});
+  objects.push_back({make_plane({6.0, 6.0}, {1, 1}), false});
   objects.push_back({placed(make_box({1.0, 2.0, 0.5}), {.position = {3.0, 0.5, 0.0}}), true});
   objects.push_back({placed(make_box({0.5, 0.5, 0.5}), {.position = {-1.0, 1.0, 1.0}}), true});
   return objects;
