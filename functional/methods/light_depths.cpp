@@ -12,7 +12,8 @@
 namespace wedgesim::functional {
 namespace {
 
-constexpr float kFront = 0.25F;  // of the way from a caster's back to its front
+constexpr float kFront = 0.25F;       // of the way from a caster's back to its front
+constexpr double kMostSlope = 0.002;  // of the depth, over a texel: steeper is seen from aside
 constexpr std::size_t kTrianglesATask = 2048;
 
 // A triangle, or a convex part of a clipped one, in the light's image.
@@ -35,11 +36,13 @@ void append(const std::array<glm::dvec3, 3>& corners, bool back, std::vector<Dra
   const double area = p.x * q.y - p.y * q.x;
   const double a = area != 0.0 ? (p.z * q.y - p.y * q.z) / area : 0.0;
   const double b = area != 0.0 ? (p.x * q.z - p.z * q.x) / area : 0.0;
+  // A back is as far as it is anywhere within a texel: a caster may be thinner than that.
+  const double moved = back ? std::min(std::abs(a) + std::abs(b), kMostSlope * corners[0].z) : 0.0;
   drawn.a = static_cast<float>(a);
   drawn.b = static_cast<float>(b);
-  drawn.c = static_cast<float>(corners[0].z - a * corners[0].x - b * corners[0].y);
-  drawn.least = static_cast<float>(least);
-  drawn.greatest = static_cast<float>(greatest);
+  drawn.c = static_cast<float>(corners[0].z - moved - a * corners[0].x - b * corners[0].y);
+  drawn.least = static_cast<float>(least - moved);
+  drawn.greatest = static_cast<float>(greatest - moved);
   drawn.back = back;
   result.push_back(drawn);
 }

@@ -42,7 +42,7 @@ std::vector<Silhouette> find_silhouettes(const Scene& scene, const glm::dvec3& f
 }
 
 // Of each triangle of the scene, as the depth buffer numbers them.
-std::vector<Facing> facings(const Scene& scene, const Light& light,
+std::vector<Facing> facings(const Scene& scene, const Light& light, const glm::dvec3& eye,
                             std::span<const std::uint32_t> first_triangle) {
   std::vector<Facing> result(first_triangle.back(), Facing::light);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -55,7 +55,9 @@ std::vector<Facing> facings(const Scene& scene, const Light& light,
         const glm::dvec3& p = mesh.positions[corner[0]];
         const glm::dvec3 normal =
             glm::cross(mesh.positions[corner[1]] - p, mesh.positions[corner[2]] - p);
-        const double height = glm::dot(normal, light.centre - p);
+        // From the side that the eye sees: of two faces in one place it may be given the other.
+        const double side = glm::dot(normal, eye - p) < 0.0 ? -1.0 : 1.0;
+        const double height = side * glm::dot(normal, light.centre - p);
         if (height > 0.0) continue;
         result[first_triangle[i] + t] = height < -light.radius * glm::length(normal)
                                             ? Facing::away
@@ -133,7 +135,8 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
 
   result.values.assign(input.depth.words.size(), 1.0F);
   const OcclusionLookup lookup(shadows, strips, map, focal_length(light_window), lookups);
-  const std::vector<Facing> facing = facings(scene, light, input.depth.first_triangle);
+  const std::vector<Facing> facing =
+      facings(scene, light, input.window.eye, input.depth.first_triangle);
   const OcclusionLookup::Count count =
       light_pixels(input, light_window, lookup, facing, result.values);
   stopwatch.end("pixels");

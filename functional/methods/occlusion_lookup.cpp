@@ -13,6 +13,7 @@ constexpr float kSameWay = 0.9F;           // cosine between normals of one penu
 constexpr float kSameHeight = 0.25F;       // of a penumbra's width: how much those of one differ
 constexpr float kBeyond = 0.02F;           // of its depth range: how far a penumbra goes on
 constexpr float kClear = 1.0F;             // texels outside a silhouette where it hides nothing
+constexpr float kLeastWidth = 0.05F;       // texels: less is the edge's own surface, rounded
 constexpr std::size_t kMostLookups = 4;
 
 float smooth(float t) { return t * t * (3.0F - 2.0F * t); }
@@ -23,7 +24,8 @@ float smooth(float t) { return t * t * (3.0F - 2.0F * t); }
 struct OcclusionLookup::Bend {
   glm::vec2 outward{0.0F};  // unit
   float distance = 0.0F;    // texels from the silhouette to the fragment, outward
-  float half_width = 0.0F;  // texels of the penumbra at the fragment's depth; ≤ 0 before the edge
+  float half_width =
+      0.0F;  // texels of the penumbra at the fragment's depth; ≤ kLeastWidth before the edge
   float inverse_near = 0.0F;
   bool in_range = false;  // the fragment lies between z_near and z_far
   float moved = 0.0F;     // texels outward
@@ -118,7 +120,7 @@ OcclusionLookup::Bend OcclusionLookup::bend(StripName name, const Fragment& frag
   }
   bend.inverse_near = strip.near_begin + along * (strip.near_end - strip.near_begin);
   bend.half_width = strip.scale * (bend.inverse_near - fragment.inverse_depth);
-  if (bend.half_width <= 0.0F) {
+  if (bend.half_width <= kLeastWidth) {
     // The silhouette is behind the fragment: look beyond its penumbra for another.
     bend.moved = std::max(0.0F, strip.half_width(bend.inverse_near) - bend.distance);
     return bend;
@@ -149,7 +151,7 @@ float OcclusionLookup::visible_by_texel(const Fragment& fragment, int x, int y,
     const glm::vec2 place =
         fragment.place + std::max(next.moved, kClear - next.distance) * next.outward;
     const bool still_hidden = hidden_after(place, fragment, count);
-    if (next.half_width > 0.0F) {
+    if (next.half_width > kLeastWidth) {
       bends[found++] = next;
       if (!still_hidden) covered = false;
     }

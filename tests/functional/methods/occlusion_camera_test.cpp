@@ -262,6 +262,24 @@ TEST(OcclusionCamera, RefusesALightThatTouchesOrIsAmongCasters) {
   EXPECT_NE(error_of(among).find("half-space"), std::string::npos) << error_of(among);
 }
 
+// Two faces in one place, seen from above and lit: the eye's triangle may be the lower one.
+TEST(OcclusionCamera, AThinCasterDoesNotShadowItself) {
+  Scene scene = floor_scene(0.25);
+  scene.objects.push_back(
+      {placed(make_thin_polygon({{-1.0, -1.0}, {-1.3, 0.8}, {0.2, 1.2}, {1.1, -0.4}}),
+              {.turn_degrees = {12.0, 0.0, -20.0}, .position = {0.0, 1.0, 0.0}}),
+       true});
+  const Frame frame(std::move(scene));
+  const std::vector<float> values = frame.values();
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (frame.receives(i) || frame.depth.triangle[i] == DepthBuffer::kSky) continue;
+    ++seen;
+    EXPECT_GT(values[i], 0.99F) << i;
+  }
+  EXPECT_GT(seen, 1000U);
+}
+
 TEST(OcclusionCamera, NothingCastsNoShadow) {
   const Frame frame(floor_scene(0.25));
   for (const float value : frame.values()) EXPECT_EQ(value, 1.0F);
