@@ -23,14 +23,20 @@ class CasterLayer {
   struct Texel {
     std::uint16_t entries = 0;  // how often the ray enters the caster
     std::int16_t inside = 0;    // umbra volumes entered less those left
-    float entry = 0.0F;         // key of the nearest entry
+    float entry = 0.0F;         // key of the nearest entry; 0 if none
+    float exit = 0.0F;          // of the nearest place where the ray leaves it
     SideKey nearest;            // of the sides offered; key 0 if none
     SideKey farthest;
 
-    bool untouched() const { return entries == 0 && inside == 0 && nearest.key == 0.0F; }
+    bool untouched() const {
+      return entries == 0 && inside == 0 && exit == 0.0F && nearest.key == 0.0F;
+    }
     void enter(float key) {
       ++entries;
       if (key > entry) entry = key;
+    }
+    void leave(float key) {
+      if (key > exit) exit = key;
     }
     void cross(bool into) { into ? ++inside : --inside; }
     void offer(const SideKey& side) {

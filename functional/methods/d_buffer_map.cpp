@@ -16,6 +16,8 @@ namespace {
 constexpr float kNowhere = std::numeric_limits<float>::infinity();
 constexpr float kNothing = -1.0F;             // a key where there is no umbra
 constexpr double kBeforeFirstVertex = 0.999;  // the near plane, of the least height of a caster
+// |cx_o| lies this share of the way through a caster before the far side.
+constexpr float kInside = 0.05F;
 using Corners = std::array<glm::dvec3, 3>;
 
 Corners corners_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
@@ -154,8 +156,12 @@ class Drawer {
     draw(drawn, faces, [&](const MapTriangle& t, int y) {
       const bool lit = silhouettes.facings[t.index] != DiskFacing::none;
       return [this, y, lit, enters = t.faces_light](std::size_t texel, float key) {
-        raise(enters ? surface_[texel] : map_.occluder[texel], key, y);
-        if (enters) layer_[texel].enter(key);
+        if (enters) {
+          raise(surface_[texel], key, y);
+          layer_[texel].enter(key);
+        } else {
+          layer_[texel].leave(key);
+        }
         if (lit) layer_[texel].cross(enters);
       };
     });
@@ -175,6 +181,8 @@ class Drawer {
     merge(united(drawn.box(), sides.drawn.box()),
           [&](CasterLayer::Texel& layer, std::size_t texel, int x, int y) {
             if (layer.entries == 0) return;
+            const float exit = layer.exit > 0.0F ? layer.exit : layer.entry;
+            raise(map_.occluder[texel], exit + kInside * (layer.entry - exit), y);
             const bool near = options_.crossing == Crossing::nearest ||
                               (options_.crossing == Crossing::by_caster && layer.entries == 1);
             const SideKey side = near ? layer.nearest : layer.farthest;

@@ -30,9 +30,11 @@ struct DBufferOptions {
 /// What the light disk's centre c sees in each texel, as distances from c (seed 002, section 3).
 /// Beyond where a distance is not there, infinity stands for it.
 struct DBuffer {
-  LightView view;                    // of width 0 if nothing casts
-  int width = 0;                     // texels of one row
-  std::vector<float> occluder;       // |cx_o|: where the ray first leaves a caster
+  LightView view;  // of width 0 if nothing casts
+  int width = 0;   // texels of one row
+  /// |cx_o|: a little before the ray leaves the first caster, so that texels take neither what the
+  /// light falls on nor what the caster stands on for the other side.
+  std::vector<float> occluder;
   std::vector<float> umbra;          // |cx_uv|: where it leaves the umbra; 0 where it enters none
   std::vector<float> penumbra;       // |cx_pv|: where it enters the penumbra
   std::vector<float> umbra_edge;     // |cx_s| for |cx_uv|
