@@ -166,5 +166,26 @@ TEST(DBufferBoundary, RoundBodies) {
   }
 }
 
+// The paper's penumbra silhouette is between triangles that see all of the light and others: a
+// steep roof under a wide light has none, and the outer half of its penumbra is missing; under a
+// small light it is there.
+TEST(DBufferBoundary, WithoutATriangleThatSeesAllOfTheLightThereIsNoOuterPenumbra) {
+  for (const double half_light : {0.5, 3.0}) {
+    Mesh pyramid;
+    pyramid.positions = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, {0, 4, 0}};
+    pyramid.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}};
+    place(pyramid, glm::dmat3(1.0), {0.0, 3.0, 0.0});
+    const Scene scene =
+        scene_over_floor(pyramid, {0.0, 12.0, 0.0}, half_light, 5.0 + 3.5 * half_light);
+    const Mismatch found = compare(scene, kChoice);
+    print("pyramid, half light " + std::to_string(half_light), found);
+    if (half_light < 1.0) {
+      EXPECT_EQ(found.wrong, 0);
+    } else {
+      EXPECT_GT(found.wrong, found.zones[1] / 4);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace wedgesim::functional
