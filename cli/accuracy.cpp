@@ -14,10 +14,12 @@
 #include "cli/print.h"
 #include "cli/progress.h"
 #include "cli/scene_arguments.h"
+#include "reports/accuracy/accuracy_charts.h"
 #include "reports/accuracy/accuracy_json.h"
 #include "reports/accuracy/accuracy_page.h"
 #include "reports/accuracy/accuracy_text.h"
 #include "reports/accuracy/claim_results.h"
+#include "reports/accuracy/published.h"
 #include "reports/accuracy/views.h"
 #include "reports/claims/claims.h"
 
@@ -104,6 +106,14 @@ void check_what_is_measured(const Arguments& arguments) {
   }
 }
 
+std::vector<accuracy::ShownArtifact> find_artifacts(
+    const std::vector<accuracy::SceneResult>& results, int rays) {
+  Progress progress;
+  return accuracy::show_artifacts(
+      accuracy::method_names(results), rays,
+      [&](std::string_view name) { progress.show(fmt::format("accuracy: artifact {}", name)); });
+}
+
 int run(const Arguments& arguments) {
   accuracy::MeasureOptions options;
   options.rays = parse_integer("--rays", arguments.rays, 1, 1 << 20);
@@ -141,8 +151,11 @@ int run(const Arguments& arguments) {
   if (!arguments.json.empty()) {
     reports::write_json(arguments.json, accuracy::accuracy_json(options, results, asked));
   }
+  print(accuracy::published_text(results));
   if (!arguments.out.empty()) {
-    accuracy::write_accuracy(arguments.out, options, results, pictures, asked);
+    const auto artifacts =
+        accuracy::write_artifacts(arguments.out, find_artifacts(results, options.rays));
+    accuracy::write_accuracy(arguments.out, {options, results, pictures, artifacts}, asked);
   }
   if (!arguments.claims.empty()) {
     const reports::Results measured = accuracy::claim_results(results);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "reports/accuracy/published.h"
+
 namespace wedgesim::reports::accuracy {
 namespace {
 
@@ -87,11 +89,13 @@ Json to_json(const SceneResult& result, const Wish* wish) {
 }  // namespace
 
 Json accuracy_json(const MeasureOptions& options, const std::vector<SceneResult>& scenes,
-                   const Wish* wish) {
+                   const Wish* wish, std::span<const ShownArtifact> artifacts) {
   Json json{{"schema", "wedgesim.accuracy/1"},
             {"configuration", {{"rays", options.rays}, {"repetitions", options.repetitions}}},
             {"scenes", Json::array()}};
   for (const SceneResult& scene : scenes) json["scenes"].push_back(to_json(scene, wish));
+  json["artifacts"] = artifacts_json(artifacts);
+  json["published"] = published_json(scenes);
   return json;
 }
 

@@ -9,6 +9,7 @@
 #include "reports/accuracy/accuracy_json.h"
 #include "reports/accuracy/accuracy_table.h"
 #include "reports/accuracy/accuracy_words.h"
+#include "reports/accuracy/published.h"
 #include "reports/page/assets.h"
 #include "reports/page/html.h"
 #include "reports/page/row_charts.h"
@@ -99,9 +100,9 @@ std::string refused_html(const SceneResult& result) {
 std::string strips_html(const SceneResult& result, const Pictures& pictures) {
   std::string html = "<h3>Pictures</h3>\n" + scale_html() + "<div class=\"strips\">\n";
   html += fmt::format(
-      "<figure>\n<figcaption><strong>Reference</strong>, {}</figcaption>\n{}\n"
+      "<figure>\n<figcaption><strong>Reference</strong></figcaption>\n{}\n"
       "</figure>\n",
-      escape(facts_of(result)), image_html(pictures.reference, "Reference."));
+      image_html(pictures.reference, "Reference."));
   for (std::size_t i = 0; i < result.methods.size(); ++i) {
     const Strip& strip = pictures.strips[i];
     const Measured& measured = result.methods[i];
@@ -152,21 +153,22 @@ std::string accuracy_page(const Report& report) {
       .kind = "<code>accuracy</code>",
       .question = "Which shadow method for which scene, at which error?",
       .name = "accuracy",
-      .body = page::fill(page::assets::accuracy_html(), {{"summary", summary_html(report, labels)},
-                                                         {"legend", page::legend_html("Methods")},
-                                                         {"scenes", scenes},
-                                                         {"artifacts", ""},
-                                                         {"published", ""}}),
+      .body = page::fill(page::assets::accuracy_html(),
+                         {{"summary", summary_html(report, labels)},
+                          {"legend", page::legend_html("Methods")},
+                          {"scenes", scenes},
+                          {"artifacts", artifacts_html(report.artifacts)},
+                          {"published", published_html(report.scenes)}}),
       .data = page::row_chart_data(methods, charts),
       .script = page::assets::row_charts_script(),
   });
 }
 
-void write_accuracy(const std::filesystem::path& folder, const MeasureOptions& options,
-                    const std::vector<SceneResult>& scenes, const std::vector<Pictures>& pictures,
-                    const Wish* wish) {
-  write_json(folder / "accuracy.json", accuracy_json(options, scenes, wish));
-  write_file(folder / "accuracy.html", accuracy_page({options, scenes, pictures}));
+void write_accuracy(const std::filesystem::path& folder, const Report& report, const Wish* wish) {
+  std::vector<ShownArtifact> shown;
+  for (const ArtifactPictures& artifact : report.artifacts) shown.push_back(artifact.shown);
+  write_json(folder / "accuracy.json", accuracy_json(report.options, report.scenes, wish, shown));
+  write_file(folder / "accuracy.html", accuracy_page(report));
 }
 
 }  // namespace wedgesim::reports::accuracy

@@ -95,8 +95,10 @@ std::string scale_html() {
     dark = swatch(-kErrors[i], name) + dark;
     light += swatch(kErrors[i], name);
   }
-  return fmt::format("<p class=\"swatches\">Too dark by {} too light by {} sky {}</p>\n", dark,
-                     swatch(0.0, "") + light, fmt::format("<span><i class=\"sky\"></i></span>"));
+  return fmt::format(
+      "<p class=\"swatches\">Too dark by {} too light by {} <span><i class=\"sky\"></i>sky</span>"
+      "</p>\n",
+      dark, light);
 }
 
 }  // namespace wedgesim::reports::accuracy

@@ -105,7 +105,9 @@ void write_sample(const std::filesystem::path& folder, const std::vector<SceneRe
     so_far.push_back(scene);
     pictures.push_back(write_pictures(folder, so_far));
   }
-  write_accuracy(folder, {}, scenes, pictures, nullptr);
+  const std::vector<std::string> methods{"hard"};
+  const auto artifacts = write_artifacts(folder, show_artifacts(methods, 64));
+  write_accuracy(folder, {{}, scenes, pictures, artifacts}, nullptr);
 }
 
 }  // namespace wedgesim::reports::accuracy::tests

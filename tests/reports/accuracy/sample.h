@@ -14,7 +14,7 @@ namespace wedgesim::reports::accuracy::tests {
 /// last choice is refused. Scene 0 and 1 have the same name; words hold HTML.
 std::vector<SceneResult> sample_scenes(std::size_t scenes, std::size_t choices);
 
-/// Writes their page, JSON and pictures.
+/// Writes their page, JSON and pictures, with the artifact of `hard`.
 void write_sample(const std::filesystem::path& folder, const std::vector<SceneResult>& scenes);
 
 }  // namespace wedgesim::reports::accuracy::tests
