@@ -46,7 +46,7 @@ struct Beside {
   /// The same scene, or triangles and pixels each within a factor of two.
   bool comparable = false;
 };
-/// Of the methods that were measured.
+/// Of the methods that were measured; they point into `results`.
 std::vector<Beside> beside_published(const std::vector<SceneResult>& results);
 
 /// A table of what is comparable; empty if nothing is.

@@ -66,9 +66,10 @@ TEST(Published, StandsBesideTheNearestSize) {
 }
 
 TEST(Published, TheSceneMadeAfterItComesFirst) {
-  const auto all =
-      beside_published({measured("mesh", 70000, 512, "occlusion-camera", 30.0),
-                        measured("bunny 640x427", 69000, 600, "occlusion-camera", 5.0)});
+  const std::vector<SceneResult> results{
+      measured("mesh", 70000, 512, "occlusion-camera", 30.0),
+      measured("bunny 640x427", 69000, 600, "occlusion-camera", 5.0)};
+  const auto all = beside_published(results);
   const Beside* bunny = find(all, "Bunny", 512);
   ASSERT_NE(bunny, nullptr);
   EXPECT_EQ(bunny->scene->scene.name, "bunny 640x427");
