@@ -164,6 +164,16 @@ glm::dmat4 TomlTable::matrix4(std::string_view key) const {
   return matrix;
 }
 
+std::vector<std::string> TomlTable::text_list(std::string_view key) const {
+  const toml::array* array = need(key, "an array of strings").as_array();
+  if (array == nullptr || array->empty() || !array->is_homogeneous(toml::node_type::string)) {
+    fail(key, "is not an array of strings", "an array of strings, at least one");
+  }
+  std::vector<std::string> texts;
+  for (const toml::node& element : *array) texts.push_back(element.as_string()->get());
+  return texts;
+}
+
 std::vector<glm::dvec2> TomlTable::vec2_list(std::string_view key) const {
   const toml::array* array = need(key, "an array of points").as_array();
   if (array == nullptr) {

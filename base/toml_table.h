@@ -47,6 +47,7 @@ class TomlTable {
                   Range range = {}) const;
   /// Four rows of four numbers.
   glm::dmat4 matrix4(std::string_view key) const;
+  std::vector<std::string> text_list(std::string_view key) const;
   std::vector<glm::dvec2> vec2_list(std::string_view key) const;
   std::vector<glm::dvec3> vec3_list(std::string_view key) const;
 

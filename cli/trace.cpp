@@ -24,6 +24,9 @@ int run(const Arguments& arguments) {
   progress.show("reading " + arguments.scene.scene);
   const functional::Scene scene =
       arguments.light_number.choose(arguments.scene.load(arguments.frame.file));
+  if (scene.light.texture) {
+    print_note("the trace has the light without its texture: the block knows even lights alone");
+  }
   traces::require_room(scene.place, scene.width, scene.height);
   progress.show("rendering " + scene.name);
   functional::Frame frame = functional::make_frame(scene, options);

@@ -35,8 +35,10 @@ std::array<float, 3> heat_colour(float share) {
   return colour;
 }
 
-Image one_channel(std::span<const float> values, int width, int height) {
-  Image image(width, height, 1);
+Image image_of(std::span<const float> values, int width, int height) {
+  const bool grey =
+      values.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  Image image(width, height, grey ? 1 : 3);
   CHECK_EQ(values.size(), image.values.size());
   std::ranges::copy(values, image.values.begin());
   return image;
@@ -56,7 +58,7 @@ void write_colours(const std::filesystem::path& path, const Image& linear) {
 
 void write_values(const std::filesystem::path& path, std::span<const float> values, int width,
                   int height) {
-  write_image(path, one_channel(values, width, height));
+  write_image(path, image_of(values, width, height));
 }
 
 void write_heat(const std::filesystem::path& path, std::span<const float> values, int width,

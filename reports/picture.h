@@ -13,8 +13,9 @@ void require_image_name(const std::filesystem::path& path);
 /// Writes linear colours: PNG along the sRGB curve, EXR as they are.
 void write_colours(const std::filesystem::path& path, const Image& linear);
 
-/// Writes one value a pixel: PNG as grey, clamped to [0, 1] and proportional, EXR as it is.
-/// \param values  (height, width)
+/// Writes one value a pixel, or three: PNG as grey or RGB, clamped to [0, 1] and proportional, EXR
+/// as it is.
+/// \param values  (height, width) or (height, width, 3)
 void write_values(const std::filesystem::path& path, std::span<const float> values, int width,
                   int height);
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <utility>
 #include <vector>
 
@@ -73,7 +72,8 @@ glm::dmat4 light_from_world(const Light& light) {
   return m;
 }
 
-double rectangle_coverage(const glm::dvec3& point, const glm::dvec3& begin, const glm::dvec3& end) {
+std::optional<Chord> project_edge(const glm::dvec3& point, const glm::dvec3& begin,
+                                  const glm::dvec3& end) {
   // Project e from p: (p.h·e − e.h·p) / (p.h − e.h), kept as numerator and denominator.
   const auto seen = [&](const glm::dvec3& e) {
     return glm::dvec3(point.z * e.x - e.z * point.x, point.z * e.y - e.z * point.y, point.z - e.z);
@@ -81,9 +81,14 @@ double rectangle_coverage(const glm::dvec3& point, const glm::dvec3& begin, cons
   const glm::dvec3 a = seen(begin);
   const glm::dvec3 b = seen(end);
   const Interval inside = inside_square(a, b);
-  if (inside.empty()) return 0.0;
-  glm::dvec2 p = project(a + inside.low * (b - a));
-  glm::dvec2 q = project(a + inside.high * (b - a));
+  if (inside.empty()) return std::nullopt;
+  return Chord{project(a + inside.low * (b - a)), project(a + inside.high * (b - a))};
+}
+
+double rectangle_coverage(const glm::dvec3& point, const glm::dvec3& begin, const glm::dvec3& end) {
+  const std::optional<Chord> chord = project_edge(point, begin, end);
+  if (!chord) return 0.0;
+  auto [p, q] = *chord;
   if (cross_2d(p, q) < 0.0) std::swap(p, q);
   // The corners between the rays, at most two, by the rays themselves: where the exits lie would
   // not do, as rounding may put them past a corner the wrong way round.

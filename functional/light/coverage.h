@@ -1,7 +1,9 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "functional/scene/scene.h"
 
@@ -11,6 +13,18 @@ namespace wedgesim::functional {
 /// distance from the light's plane in world units. Sphere: world axes about the centre, in radii;
 /// point: in world units.
 glm::dmat4 light_from_world(const Light& light);
+
+/// An edge as a point sees it on a rectangular light: the ends of the part inside it, light space.
+struct Chord {
+  glm::dvec2 p{0.0}, q{0.0};
+};
+
+/// Projects an edge from a point onto a rectangular light and clips it there, in homogeneous
+/// coordinates (Paper IV, 4.2.2).
+/// \param point, begin, end  light space; begin and end in front of the light (third > 0)
+/// \return the chord in the square [−1, 1]²; none if nothing of the edge is before the light
+std::optional<Chord> project_edge(const glm::dvec3& point, const glm::dvec3& begin,
+                                  const glm::dvec3& end);
 
 /// Fraction of a rectangular light that the shadow quad of an edge hides: the part of the light
 /// between the rays from its centre through the edge's ends, beyond the edge, all as seen from a

@@ -40,9 +40,10 @@ struct Stage {
 
 /// What a method says of a frame.
 struct Visibility {
-  /// (height, width) fraction of the light that reaches each pixel, as the method has it: not
-  /// clamped; 1 for the sky.
+  /// (height, width, channels) fraction of the light that reaches each pixel, as the method has it:
+  /// not clamped; 1 for the sky.
   std::vector<float> values;
+  int channels = 1;  // 3 if the light has a texture: fractions of the power of each colour
   MethodAccesses accesses;
   std::vector<Stage> stages;  // in order; they add up to the run time
 };
@@ -57,6 +58,7 @@ struct Method {
   std::span<const std::string_view> compared;
   /// What its paper says it gets wrong: names of artifacts.
   std::span<const std::string_view> artifacts;
+  bool takes_textures = false;  // whether it renders lights with a texture; others are refused
   /// \throws OptionError for a wrong option, InputError if it cannot render this scene, with the
   ///         reason
   Visibility (*render)(const MethodInput& input, const MethodOptions& options);

@@ -17,9 +17,11 @@
 namespace wedgesim::functional {
 namespace {
 
-std::string known_names() {
+template <typename Condition>
+std::string known_names(const Condition& condition) {
   std::string names;
   for (const Method& method : methods()) {
+    if (!condition(method)) continue;
     names += names.empty() ? "" : ", ";
     names += method.name;
   }
@@ -45,15 +47,8 @@ std::size_t digits_begin(std::string_view name) {
 std::span<const Method> methods() {
   static const std::array all{
       // One a line, in the order of the papers.
-      kHard,
-      kSampled,
-      kRaytraced,
-      kSsv,
-      kCoverage,
-      kLinear,
-      kDBuffer,
-      kOcclusionCamera,
-      kSilhouetteRings,
+      kHard,    kSampled,         kRaytraced,       kSsv, kCoverage, kLinear,
+      kDBuffer, kOcclusionCamera, kSilhouetteRings,
   };
   return all;
 }
@@ -71,7 +66,8 @@ MethodChoice choose_method(std::string_view place, std::string_view text) {
     }
   }
   if (method == nullptr) {
-    throw InputError(place, fmt::format("unknown method '{}'", name), "one of " + known_names());
+    throw InputError(place, fmt::format("unknown method '{}'", name),
+                     "one of " + known_names([](const Method&) { return true; }));
   }
   std::string_view rest = colon < text.size() ? text.substr(colon + 1) : std::string_view();
   bool more = colon < text.size();
@@ -96,6 +92,13 @@ MethodChoice choose_method(std::string_view place, std::string_view text) {
 }
 
 Visibility render_method(const MethodInput& input, const MethodChoice& choice) {
+  if (input.scene.light.texture && !choice.method->takes_textures) {
+    throw InputError(
+        input.scene.place,
+        fmt::format("the light has a texture, which method '{}' does not know",
+                    choice.method->name),
+        "one of " + known_names([](const Method& method) { return method.takes_textures; }));
+  }
   Visibility visibility = choice.method->render(input, choice.options);
   choice.options.check_all_known();
   return visibility;

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "base/check.h"
+#include "functional/scene/light_texture.h"
 #include "functional/scene/lights.h"
 
 namespace wedgesim::functional {
@@ -31,16 +32,24 @@ glm::dvec3 normal_to(const Mesh& mesh, std::size_t triangle, const glm::dvec3& e
 
 // One light and how much of it each pixel sees.
 struct Lit {
-  const Light& light;
-  std::span<const float> visibility;  // (height, width)
+  Lit(const Light& l, std::span<const float> v, int c)
+      : centre(l.centre), power(light_power(l)), visibility(v), channels(c) {}
+  glm::dvec3 centre, power;
+  std::span<const float> visibility;  // (height, width, channels)
+  int channels;
 
   /// What the light's centre gives to a point of reflectance 1.
   glm::dvec3 illuminate(std::size_t pixel, const glm::dvec3& point,
                         const glm::dvec3& normal) const {
-    const glm::dvec3 to_light = glm::normalize(light.centre - point);
-    const double visible = std::clamp(static_cast<double>(visibility[pixel]), 0.0, 1.0);
-    const double direct = std::max(0.0, glm::dot(normal, to_light)) * visible;
-    return kDirect * direct * light.colour;
+    const double cosine = std::max(0.0, glm::dot(normal, glm::normalize(centre - point)));
+    glm::dvec3 light;
+    for (int c = 0; c < 3; ++c) {
+      const auto i = pixel * static_cast<std::size_t>(channels) +
+                     static_cast<std::size_t>(std::min(c, channels - 1));
+      const double direct = cosine * std::clamp(static_cast<double>(visibility[i]), 0.0, 1.0);
+      light[c] = kDirect * direct * power[c];
+    }
+    return light;
   }
 };
 
@@ -52,7 +61,9 @@ glm::dvec3 sky_light(const Scene& scene, const glm::dvec3& normal) {
 Image shade(const Scene& scene, const Window& window, const DepthBuffer& depth,
             std::span<const Lit> lights) {
   Image image(window.width, window.height, 3);
-  for (const Lit& lit : lights) CHECK_EQ(lit.visibility.size(), depth.words.size());
+  for (const Lit& lit : lights) {
+    CHECK_EQ(lit.visibility.size(), depth.words.size() * static_cast<std::size_t>(lit.channels));
+  }
   tbb::parallel_for(0, window.height, [&](int y) {
     for (int x = 0; x < window.width; ++x) {
       const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(window.width) +
@@ -94,16 +105,17 @@ View render_view(const Scene& scene, const MethodChoice& choice, traces::fb::Dep
 
 Image shade(const Scene& scene, const View& view) {
   CHECK_EQ(1 + view.other_visibility.size(), light_count(scene));
-  std::vector<Lit> lights{{scene.light, view.visibility.values}};
-  for (std::size_t i = 1; i < light_count(scene); ++i) {
-    lights.push_back({light_at(scene, i), view.other_visibility[i - 1].values});
+  std::vector<Lit> lights;
+  for (std::size_t i = 0; i < light_count(scene); ++i) {
+    const Visibility& seen = i == 0 ? view.visibility : view.other_visibility[i - 1];
+    lights.emplace_back(light_at(scene, i), seen.values, seen.channels);
   }
   return shade(scene, view.window, view.depth, lights);
 }
 
 Image shade(const Scene& scene, const Window& window, const DepthBuffer& depth,
             const std::vector<float>& visibility) {
-  const Lit lit{scene.light, visibility};
+  const Lit lit(scene.light, visibility, visibility.size() == depth.words.size() ? 1 : 3);
   return shade(scene, window, depth, std::span(&lit, 1));
 }
 

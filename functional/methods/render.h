@@ -25,12 +25,12 @@ View render_view(const Scene& scene, const MethodChoice& choice,
                  traces::fb::DepthFormat format = traces::fb::DepthFormat_float32);
 
 /// Lights a view by all its lights: each triangle diffusely from a light's centre, times that
-/// light's visibility clamped to [0, 1], and evenly from a sky above.
+/// light's power and its visibility clamped to [0, 1], and evenly from a sky above.
 /// \return (height, width, 3) linear colour, [0, 1]
 Image shade(const Scene& scene, const View& view);
 
 /// The same by `scene.light` alone.
-/// \param visibility  (height, width)
+/// \param visibility  (height, width), or (height, width, 3) for each colour
 Image shade(const Scene& scene, const Window& window, const DepthBuffer& depth,
             const std::vector<float>& visibility);
 

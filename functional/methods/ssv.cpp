@@ -1,38 +1,158 @@
 #include "functional/methods/ssv.h"
 
+#include <algorithm>
 #include <array>
 
+#include "base/error.h"
+#include "functional/light/coverage_texture.h"
+#include "functional/light/split_word.h"
+#include "functional/methods/chord_kernel.h"
 #include "functional/methods/ssv_kernel.h"
 #include "functional/methods/volume_pass.h"
+#include "functional/scene/light_texture.h"
 
 namespace wedgesim::functional {
 namespace {
+
+enum class Filter { nearest, quadlinear };
+
+struct SsvOptions {
+  int side = 0;  // of the coverage texture; 0: exact clipping
+  Filter filter = Filter::nearest;
+  CoverageWords words = CoverageWords::bits8;
+  bool short_words = false;  // of the V-buffer
+};
+
+SsvOptions read_ssv_options(const MethodOptions& options) {
+  SsvOptions read;
+  read.side = options.choice<int>("texture", {{"none", 0},
+                                              {"8", 8},
+                                              {"12", 12},
+                                              {"16", 16},
+                                              {"24", 24},
+                                              {"32", 32},
+                                              {"48", 48},
+                                              {"64", 64}});
+  read.filter = options.choice<Filter>(
+      "filter", {{"nearest", Filter::nearest}, {"quadlinear", Filter::quadlinear}});
+  read.words = options.choice<CoverageWords>(
+      "words", {{"8bit", CoverageWords::bits8}, {"float", CoverageWords::float32}});
+  read.short_words = options.choice<bool>("vbuffer", {{"float", false}, {"8bit", true}});
+  return read;
+}
+
+// What a chord hides, if it is not left to exact clipping of an even light.
+ChordLookup make_lookup(const Light& light, const SsvOptions& options) {
+  if (options.side > 0) {
+    const auto table = coverage_texture(light.texture, options.side, options.words);
+    if (options.filter == Filter::nearest) {
+      return [table](const glm::dvec2& p, const glm::dvec2& q) { return table->nearest(p, q); };
+    }
+    return [table](const glm::dvec2& p, const glm::dvec2& q) { return table->quadlinear(p, q); };
+  }
+  if (!light.texture) return {};
+  return [emission = Emission(emission_shares(*light.texture))](const glm::dvec2& p,
+                                                                const glm::dvec2& q) {
+    const Emission::Colour part = emission.beyond(p, q);
+    return std::array{static_cast<float>(part[0]), static_cast<float>(part[1]),
+                      static_cast<float>(part[2])};
+  };
+}
+
+void refuse_what_is_not_treated(const Scene& scene, const SsvOptions& options) {
+  if (options.side > 0 && scene.light.shape != LightShape::rectangle) {
+    throw InputError(scene.place, "a coverage texture is of a rectangular light", "texture=none");
+  }
+  if (options.short_words && scene.light.texture) {
+    throw InputError(scene.place, "8-bit words hold no colours, and the light has a texture",
+                     "vbuffer=float");
+  }
+}
+
+DrawRow make_kernel(const Light& light, const SsvOptions& options) {
+  if (light.shape == LightShape::point) return hard_kernel();
+  ChordLookup lookup = make_lookup(light, options);
+  if (options.short_words) {
+    return lookup ? short_chord_kernel(std::move(lookup)) : short_coverage_kernel(light.shape);
+  }
+  if (!lookup) return coverage_kernel(light.shape);
+  return chord_kernel(std::move(lookup), light.texture ? 3 : 1);
+}
+
+// (channel, height, width) to (height, width, channel).
+std::vector<float> interleaved(const std::vector<float>& planes, std::size_t channels) {
+  std::vector<float> values(planes.size());
+  const std::size_t pixels = planes.size() / channels;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t c = 0; c < channels; ++c) values[i * channels + c] = planes[c * pixels + i];
+  }
+  return values;
+}
+
+// The V-buffer's sums of what is added and what is taken, each up to 255, and the umbra.
+std::vector<float> merged(const std::vector<float>& planes) {
+  std::vector<float> values(planes.size() / 3);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const float umbra = planes[2 * values.size() + i];
+    const float added = std::min(255.0F, 64.0F * (planes[i] - umbra));
+    const float taken = std::min(255.0F, 64.0F * (planes[values.size() + i] - umbra));
+    values[i] = umbra + (added - taken) / ShortWord::kWhole;
+  }
+  return values;
+}
 
 Visibility render(const MethodInput& input, const MethodOptions& options) {
   const VolumeOptions volumes{
       .z = read_z(options),
       .cull = options.choice<bool>("cull", {{"tiles", true}, {"none", false}})};
+  const SsvOptions own = read_ssv_options(options);
   options.check_all_known();
+  refuse_what_is_not_treated(input.scene, own);
   Visibility result;
   VolumePass pass(input, result);
   const Light& light = pass.scene().light;
-  result.values = pass.draw(light, volumes, coverage_kernel(light.shape));
-  const MethodAccesses& accesses = result.accesses;
-  result.accesses.bytes = 4 * (accesses.z_reads + accesses.li_reads + accesses.li_writes);
+  const DrawRow kernel = make_kernel(light, own);
+  if (own.side > 0 || light.texture) pass.end("tables");
+  MethodAccesses& accesses = result.accesses;
+  const auto count_lookups = [&](int channels) {
+    if (own.side == 0) return;
+    accesses.map_reads = pass.shares() * (own.filter == Filter::nearest ? 1 : 16);
+    const std::uint64_t word_bytes = own.words == CoverageWords::bits8 ? 1 : sizeof(float);
+    accesses.bytes += accesses.map_reads * word_bytes * static_cast<std::uint64_t>(channels);
+  };
+  if (own.short_words && light.shape != LightShape::point) {
+    result.values = merged(pass.draw(light, volumes, kernel, 3));
+    accesses.li_reads /= 3;  // one component is blended at a time
+    accesses.li_writes /= 3;
+    accesses.bytes = 4 * accesses.z_reads + accesses.li_reads + accesses.li_writes;
+    count_lookups(1);
+    return result;
+  }
+  result.channels = light.texture ? 3 : 1;
+  const auto channels = static_cast<std::size_t>(result.channels);
+  result.values = interleaved(pass.draw(light, volumes, kernel, result.channels), channels);
+  accesses.bytes = 4 * (accesses.z_reads + accesses.li_reads + accesses.li_writes);
+  count_lookups(result.channels);
   return result;
 }
 
-constexpr std::array<std::string_view, 1> kCompared{"ssv"};
-constexpr std::array<std::string_view, 2> kArtifacts{"single-silhouette", "object-overlap"};
+constexpr std::array<std::string_view, 4> kCompared{
+    "ssv", "ssv:texture=32", "ssv:texture=32,filter=quadlinear", "ssv:texture=32,vbuffer=8bit"};
+constexpr std::array<std::string_view, 4> kArtifacts{"single-silhouette", "object-overlap",
+                                                     "texture-quantization", "8-bit-levels"};
 
 }  // namespace
 
 const Method kSsv{.name = "ssv",
-                  .summary = "Soft shadow volumes: wedges with exact clipping on the light",
-                  .source = "Paper III, 3",
-                  .options = "z=auto|pass|fail, cull=tiles|none",
+                  .summary = "Soft shadow volumes: exact clipping or a 4-D coverage texture",
+                  .source = "Paper III, 3 and 4",
+                  .options =
+                      "texture=none|8|12|16|24|32|48|64, filter=nearest|quadlinear, "
+                      "words=8bit|float, vbuffer=float|8bit, z=auto|pass|fail, "
+                      "cull=tiles|none",
                   .compared = kCompared,
                   .artifacts = kArtifacts,
+                  .takes_textures = true,
                   .render = render};
 
 }  // namespace wedgesim::functional

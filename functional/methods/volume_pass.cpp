@@ -36,6 +36,7 @@ std::vector<float> VolumePass::draw(const Light& light, const VolumeOptions& opt
   result_.accesses.z_reads += drawn.accesses.z_reads;
   result_.accesses.li_reads += drawn.accesses.light_reads;
   result_.accesses.li_writes += drawn.accesses.light_writes;
+  shares_ += drawn.accesses.shares;
   stopwatch_.end("pixels");
   return std::move(drawn.values);
 }

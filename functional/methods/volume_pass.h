@@ -32,6 +32,11 @@ class VolumePass {
   std::vector<float> draw(const Light& light, const VolumeOptions& options, const DrawRow& draw_row,
                           int channels = 1);
 
+  /// Ends a stage of the method's own.
+  void end(std::string_view stage) { stopwatch_.end(stage); }
+  /// How often a wedge added its share to a pixel, in all that was drawn.
+  std::uint64_t shares() const { return shares_; }
+
  private:
   const MethodInput& input_;
   Visibility& result_;
@@ -39,6 +44,7 @@ class VolumePass {
   std::optional<Scene> moved_;
   Window window_;
   DepthTiles tiles_;
+  std::uint64_t shares_ = 0;
 };
 
 }  // namespace wedgesim::functional

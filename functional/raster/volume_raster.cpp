@@ -35,6 +35,7 @@ VolumeAccesses& VolumeAccesses::operator+=(const VolumeAccesses& other) {
   z_reads += other.z_reads;
   light_reads += other.light_reads;
   light_writes += other.light_writes;
+  shares += other.shares;
   return *this;
 }
 

@@ -15,6 +15,7 @@ struct VolumeAccesses {
   std::uint64_t z_reads = 0;
   std::uint64_t light_reads = 0;  // of light words, to be modified
   std::uint64_t light_writes = 0;
+  std::uint64_t shares = 0;  // pixels that a wedge added its share to, once for all channels
   VolumeAccesses& operator+=(const VolumeAccesses& other);
 };
 

@@ -205,6 +205,7 @@ HWY_INLINE void draw_tile(const Share& share, const ScreenSide& side, std::uint6
     if (!wedge) return;
     const std::uint64_t written = add_wedge(share, side.wedge, inner, here, words, channel_stride);
     row.accesses.z_reads += count_bits(here.tile->surface & ~covered);
+    row.accesses.shares += count_bits(written);
     row.accesses.light_reads += count_bits(written) * Share::kChannels;
     row.accesses.light_writes += count_bits(written) * Share::kChannels;
   }

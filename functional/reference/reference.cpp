@@ -14,6 +14,7 @@
 #include "base/check.h"
 #include "functional/light/unit_disc.h"
 #include "functional/scene/across.h"
+#include "functional/scene/light_texture.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -79,6 +80,52 @@ Aperture aperture_from(const Light& light, const glm::dvec3& p) {
   return {light.centre, radius * u, radius * v, true};
 }
 
+// The cells of a light that are sampled once each, and what of the light's power each stands for.
+class Cells {
+ public:
+  Cells(const Light& light, int samples) {
+    const int side = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(samples) + 0.5)));
+    columns_ = rows_ = side;
+    if (!light.texture) return;
+    shares_ = emission_shares(*light.texture);
+    columns_ = (side + shares_.width - 1) / shares_.width * shares_.width;
+    rows_ = (side + shares_.height - 1) / shares_.height * shares_.height;
+    for (int cell = 0; cell < count(); ++cell) add(cell, whole_);
+  }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  int count() const { return columns_ * rows_; }
+  std::size_t channels() const { return shares_.values.empty() ? 1 : 3; }
+  bool is_black(int cell) const {
+    if (shares_.values.empty()) return false;
+    const float* texel = texel_of(cell);
+    return texel[0] == 0.0F && texel[1] == 0.0F && texel[2] == 0.0F;
+  }
+  /// Adds what a cell emits of each colour.
+  void add(int cell, std::array<double, 3>& sum) const {
+    if (shares_.values.empty()) {
+      sum[0] += 1.0;
+      return;
+    }
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += static_cast<double>(texel_of(cell)[c]);
+  }
+  /// What is left of a colour without some cells, added in order: 0 without all of them.
+  float left(const std::array<double, 3>& hidden, std::size_t channel) const {
+    const double whole = shares_.values.empty() ? count() : whole_[channel];
+    return static_cast<float>(1.0 - hidden[channel] / whole);
+  }
+
+ private:
+  const float* texel_of(int cell) const {
+    return shares_.pixel(cell % columns_ * shares_.width / columns_,
+                         cell / columns_ * shares_.height / rows_);
+  }
+
+  int columns_ = 1, rows_ = 1;
+  Image shares_;  // of a textured light; else empty
+  std::array<double, 3> whole_{};
+};
+
 }  // namespace
 
 std::vector<float> reference_visibility(const Scene& scene, const Window& window,
@@ -88,8 +135,8 @@ std::vector<float> reference_visibility(const Scene& scene, const Window& window
   const Device device(rtcNewDevice("threads=1"));
   WEDGESIM_CHECK(device != nullptr);
   const CasterScene casters = build_casters(device.get(), scene);
-  const int side = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(samples) + 0.5)));
-  std::vector<float> visibility(depth.words.size(), 1.0F);
+  const Cells cells(scene.light, samples);
+  std::vector<float> visibility(depth.words.size() * cells.channels(), 1.0F);
   const double scene_size = glm::length(scene.camera.eye - scene.light.centre);
 
   tbb::parallel_for(0, window.height, [&](int y) {
@@ -112,19 +159,20 @@ std::vector<float> reference_visibility(const Scene& scene, const Window& window
       const glm::dvec3 origin = p + (object.casts ? 1e-4 * scene_size : 0.0) * normal;
       const Aperture light = aperture_from(scene.light, p);
 
-      int hidden = 0;
-      for (int k = 0; k < side * side; k += 8) {
+      std::array<double, 3> hidden{};
+      for (int k = 0; k < cells.count(); k += 8) {
         alignas(32) std::array<int, 8> valid{};
         RTCRay8 rays = {};
-        for (int lane = 0; lane < 8 && k + lane < side * side; ++lane) {
+        for (int lane = 0; lane < 8 && k + lane < cells.count(); ++lane) {
           const int cell = k + lane;
+          if (cells.is_black(cell)) continue;
           const std::uint64_t random =
-              mix(seed ^ mix(pixel * static_cast<std::uint64_t>(side * side) +
+              mix(seed ^ mix(pixel * static_cast<std::uint64_t>(cells.count()) +
                              static_cast<std::uint64_t>(cell)));
           const double jitter_x = static_cast<double>(random >> 32U) / 4294967296.0;
           const double jitter_y = static_cast<double>(random & 0xffffffffU) / 4294967296.0;
-          glm::dvec2 s(2.0 * (cell % side + jitter_x) / side - 1.0,
-                       2.0 * (cell / side + jitter_y) / side - 1.0);
+          glm::dvec2 s(2.0 * (cell % cells.columns() + jitter_x) / cells.columns() - 1.0,
+                       2.0 * (cell / cells.columns() + jitter_y) / cells.rows() - 1.0);
           if (light.disc) s = to_disc(s);
           const glm::dvec3 way = light.centre + s.x * light.u + s.y * light.v - origin;
           valid[static_cast<std::size_t>(lane)] = -1;
@@ -142,10 +190,13 @@ std::vector<float> reference_visibility(const Scene& scene, const Window& window
         rtcInitIntersectContext(&context);
         rtcOccluded8(valid.data(), casters.get(), &context, &rays);
         for (std::size_t lane = 0; lane < 8; ++lane) {
-          if (valid[lane] != 0 && rays.tfar[lane] < 0.0F) ++hidden;
+          if (valid[lane] == 0 || !(rays.tfar[lane] < 0.0F)) continue;
+          cells.add(k + static_cast<int>(lane), hidden);
         }
       }
-      visibility[pixel] = 1.0F - static_cast<float>(hidden) / static_cast<float>(side * side);
+      for (std::size_t c = 0; c < cells.channels(); ++c) {
+        visibility[pixel * cells.channels() + c] = cells.left(hidden, c);
+      }
     }
   });
   return visibility;

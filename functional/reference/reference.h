@@ -15,9 +15,14 @@ namespace wedgesim::functional {
 /// stratified samples of the light, one per cell, jittered by a hash of pixel and sample, against
 /// the casters alone (Embree, robust mode). A rectangle is sampled over its area, a sphere over the
 /// disc that the tangent cone from the point cuts (coverage.h).
-/// \param samples  rounded down to a square number, at least 1
+/// A light with a texture is sampled in each texel, and each sample counts as much as its texel
+/// emits of the power of each colour.
+/// \param samples  rounded down to a square number, at least 1; with a texture, rounded up so that
+///                 each texel has as many each way
 /// \param wanted  (height, width) which pixels are traced, not 0; empty: all
-/// \return (height, width) visibility in [0, 1]; 1 for the sky and for pixels that are not wanted
+/// \return (height, width) visibility in [0, 1], or with a texture (height, width, 3); 1 for the
+/// sky
+///         and for pixels that are not wanted
 std::vector<float> reference_visibility(const Scene& scene, const Window& window,
                                         const DepthBuffer& depth, int samples = 1024,
                                         std::uint64_t seed = 1,

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "functional/scene/light_texture.h"
+
 namespace wedgesim::functional {
 namespace {
 
@@ -38,7 +40,35 @@ void read_rectangle(const TomlTable& table, LightFile& file) {
   light.colour = colour;
 }
 
+std::shared_ptr<const Image> read_texture(const TomlTable& table, const LightContext& context) {
+  const auto of_frame = [&](std::size_t count) {
+    return static_cast<std::size_t>(context.frame) % count;
+  };
+  if (table.has("fire")) {
+    if (table.has("textures")) table.fail("textures", "stands beside 'fire'", "one of them");
+    const TomlTable fire = table.table("fire");
+    const int frames = fire.integer("frames", 16, 1, 1000);
+    const int side = fire.integer("side", 32, 2, 256);
+    const int seed = fire.integer("seed", 1);
+    fire.reject_unknown();
+    const auto frame = static_cast<int>(of_frame(static_cast<std::size_t>(frames)));
+    return std::make_shared<const Image>(
+        make_fire(frame, frames, side, static_cast<std::uint32_t>(seed)));
+  }
+  const auto files = light_textures(table, context.folder);
+  if (files.empty()) return nullptr;
+  return std::make_shared<const Image>(read_light_texture(files[of_frame(files.size())]));
+}
+
 }  // namespace
+
+std::vector<std::filesystem::path> light_textures(const TomlTable& table,
+                                                  const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  if (!table.has("textures")) return files;
+  for (const std::string& name : table.text_list("textures")) files.push_back(folder / name);
+  return files;
+}
 
 Light aimed_rectangle(glm::dvec3 centre, glm::dvec3 target, double half_u, double half_v,
                       double roll_degrees) {
@@ -56,7 +86,7 @@ Light aimed_rectangle(glm::dvec3 centre, glm::dvec3 target, double half_u, doubl
   return light;
 }
 
-LightFile read_light(const TomlTable& table) {
+LightFile read_light(const TomlTable& table, const LightContext& context) {
   LightFile file;
   Light& light = file.light;
   const std::string shape = table.text("shape", "rectangle");
@@ -64,6 +94,7 @@ LightFile read_light(const TomlTable& table) {
   light.colour = table.vec3("colour", light.colour, {0.0, Range::kLargest});
   if (shape == "rectangle") {
     read_rectangle(table, file);
+    light.texture = read_texture(table, context);
   } else if (shape == "sphere" || shape == "point") {
     light.shape = shape == "sphere" ? LightShape::sphere : LightShape::point;
     light.radius = shape == "sphere" ? table.number("radius", {}, {0.0, Range::kLargest}) : 0.0;

@@ -141,15 +141,20 @@ void set_size(Scene& scene, const TomlTable& table, const SceneOptions& options)
   }
 }
 
-void set_lights(Scene& scene, const TomlTable& table, const SceneOptions& options) {
+void set_lights(Scene& scene, const TomlTable& table, const std::filesystem::path& folder,
+                const SceneOptions& options) {
   std::vector<Light> lights;
   for (const TomlTable& entry : table.one_or_more_tables("light")) {
-    const LightFile file = read_light(entry);
+    const LightFile file = read_light(entry, {folder, options.frame});
+    std::ranges::move(light_textures(entry, folder), std::back_inserter(scene.files));
     Light light = options.light_shape ? reshaped(file, *options.light_shape) : file.light;
     light.half_u *= options.light_scale;
     light.half_v *= options.light_scale;
     light.radius *= options.light_scale;
-    if (!has_extent(light)) light.shape = LightShape::point;
+    if (!has_extent(light)) {
+      light.shape = LightShape::point;
+      light.texture.reset();
+    }
     lights.push_back(light);
   }
   scene.light = lights.front();
@@ -178,7 +183,7 @@ Scene load_scene(const std::string& name_or_file, const SceneOptions& options,
   const TomlTable camera_table = table.table("camera");
   const double width_by_height = static_cast<double>(scene.width) / scene.height;
   set_frame(scene, read_camera(camera_table, width_by_height), options.frame, camera_table.place());
-  set_lights(scene, table, options);
+  set_lights(scene, table, source.file.parent_path(), options);
   const ObjectContext context{{source.file.parent_path(), options.mesh, &scene.files},
                               options.repair,
                               notes,
@@ -202,6 +207,10 @@ SceneSource scene_source(const std::string& name_or_file) {
   SceneSource source;
   source.name = found.name;
   if (!found.file.empty()) source.files.push_back(found.file);
+  for (const TomlTable& light : table.one_or_more_tables("light")) {
+    std::ranges::move(light_textures(light, found.file.parent_path()),
+                      std::back_inserter(source.files));
+  }
   for (const TomlTable& object : table.tables("object")) {
     source.has_field |= object.has("field");
     for (const char* key : {"file", "font"}) {

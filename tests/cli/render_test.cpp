@@ -93,6 +93,19 @@ TEST_F(Render, AllLightsShineUnlessOneIsChosen) {
   expect_bad_input(render("two-lights", "x.png", {"--light-number", "3"}), {"--light-number"});
 }
 
+TEST_F(Render, ATexturedLightHasThreeColours) {
+  const std::vector<std::string> size{"--size", "48x32"};
+  const auto pixels = [&](std::vector<std::string> options) {
+    options.insert(options.end(), size.begin(), size.end());
+    expect_good(render("fire", "x.exr", options));
+    return read_image(image("x.exr"));
+  };
+  EXPECT_EQ(pixels({"--method", "ssv", "--visibility"}).channels, 3);
+  const Image first = pixels({"--method", "ssv"});
+  EXPECT_NE(pixels({"--method", "ssv", "--frame", "1"}).values, first.values);
+  expect_bad_input(render("fire", "y.exr"), {"fire.toml", "has a texture", "coverage", "ssv"});
+}
+
 TEST_F(Render, BadOptionsAreRefusedAndNothingIsWritten) {
   const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> bad{
       {{"--size", "0x0"}, {"--size", "'0x0'", "WIDTHxHEIGHT"}},

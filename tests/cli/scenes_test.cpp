@@ -13,7 +13,7 @@ TEST(Scenes, ListsOneSceneALine) {
   expect_good(outcome);
   for (const char* scene :
        {"plain-columns", "columns", "fractal", "text2002", "spheres27", "big-light-box", "overlap",
-        "cylinder", "ground-polygon", "bunny", "eye-in-shadow", "two-lights"}) {
+        "cylinder", "ground-polygon", "bunny", "eye-in-shadow", "two-lights", "fire"}) {
     EXPECT_NE(("\n" + outcome.out).find(std::string("\n") + scene + "  "), std::string::npos)
         << scene;
   }

@@ -88,6 +88,13 @@ TEST_F(Trace, ALightIsChosenByItsNumber) {
   expect_bad_input(trace({"--light-number", "0"}), {"--light-number", "'0'"});
 }
 
+TEST_F(Trace, ATextureIsLeftOutAndThatIsSaid) {
+  const Outcome outcome = trace({}, "fire");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("without its texture"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(traces::TraceFile(file).view().wedges.empty());
+}
+
 TEST_F(Trace, BadOptionsAreRefusedAndNothingIsWritten) {
   const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> bad{
       {{"--kind", "round"}, {"--kind", "round", "coverage, linear"}},

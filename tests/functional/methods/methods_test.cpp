@@ -83,5 +83,23 @@ TEST(RenderMethod, RefusesAnOptionThatTheMethodDoesNotKnow) {
             std::string::npos);
 }
 
+TEST(RenderMethod, RefusesATextureThatTheMethodDoesNotKnow) {
+  SceneOptions scene_options;
+  scene_options.size = {8, 8};
+  const Scene scene = load_scene("fire", scene_options);
+  for (const Method& method : methods()) {
+    const auto rendering = [&] {
+      const View view = render_view(scene, choose_method("--method", method.name));
+      EXPECT_EQ(view.visibility.channels, 3) << method.name;
+      EXPECT_EQ(view.visibility.values.size(), 3U * 64U) << method.name;
+    };
+    const std::string error = error_of(rendering);
+    EXPECT_EQ(error.empty(), method.takes_textures) << method.name;
+    if (error.empty()) continue;
+    EXPECT_NE(error.find("fire.toml: the light has a texture"), std::string::npos) << error;
+    EXPECT_NE(error.find("expected one of raytraced"), std::string::npos) << error;
+  }
+}
+
 }  // namespace
 }  // namespace wedgesim::functional

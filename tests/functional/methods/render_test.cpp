@@ -66,6 +66,28 @@ TEST_F(Render, LightsAddUp) {
   }
 }
 
+TEST_F(Render, ATexturedLightShinesInItsMeanColour) {
+  scene.light.colour = {0.5, 0.5, 0.5};
+  const Image plain = shaded(1.0F);
+  Image texture(2, 1, 3);
+  texture.values = {2, 1, 0, 0, 1, 0};  // the mean is (1, 1, 0)
+  scene.light.texture = std::make_shared<const Image>(texture);
+  const Image lit = shaded(1.0F);
+  const Image dark = shaded(0.0F);
+  const Image red = shade(scene, window, depth, [&] {
+    std::vector<float> values(3 * depth.words.size(), 0.0F);
+    for (std::size_t i = 0; i < values.size(); i += 3) values[i] = 1.0F;
+    return values;
+  }());
+  for (std::size_t i = 0; i < lit.values.size(); i += 3) {
+    ASSERT_FLOAT_EQ(lit.values[i], plain.values[i]);
+    ASSERT_FLOAT_EQ(lit.values[i + 1], plain.values[i + 1]);
+    ASSERT_FLOAT_EQ(lit.values[i + 2], dark.values[i + 2]);
+    ASSERT_EQ(red.values[i], lit.values[i]);
+    ASSERT_EQ(red.values[i + 1], dark.values[i + 1]);
+  }
+}
+
 TEST_F(Render, VisibilityIsClamped) {
   EXPECT_EQ(shaded(1.5F).values, shaded(1.0F).values);
   EXPECT_EQ(shaded(-0.5F).values, shaded(0.0F).values);

@@ -31,7 +31,9 @@ Scene scene_of(const std::string& name, LightShape shape, int frame = 0) {
   options.size = kSize;
   options.light_shape = shape;
   options.frame = frame;
-  return load_scene(name, options);
+  Scene scene = load_scene(name, options);
+  scene.light.texture.reset();  // ssv_texture_test.cpp
+  return scene;
 }
 
 struct Difference {

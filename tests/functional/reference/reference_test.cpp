@@ -151,6 +151,60 @@ TEST_P(ReferenceOfLight, Deterministic) {
   EXPECT_GT(sky, 100);
 }
 
+// One half of a textured light is red, the other green: each is a light of its own.
+TEST(Reference, ATextureIsSampledTexelByTexel) {
+  Scene scene = half_plane(LightShape::rectangle);
+  Image texture(2, 4, 3);
+  for (int y = 0; y < 4; ++y) {
+    texture.pixel(0, y)[0] = 3.0F;
+    texture.pixel(1, y)[1] = 0.5F;
+  }
+  scene.light.texture = std::make_shared<const Image>(texture);
+  const Rendered r = render(scene);
+  const auto both = reference_visibility(scene, r.window, r.depth, 1000);
+  ASSERT_EQ(both.size(), 3 * r.depth.words.size());
+  scene.light.texture.reset();
+  const auto even = reference_visibility(scene, r.window, r.depth, 1024);
+  Scene half = scene;
+  half.light.half_u *= 0.5;
+  half.light.centre = scene.light.centre - half.light.half_u;
+  const auto red = reference_visibility(half, r.window, r.depth, 1024);
+  half.light.centre = scene.light.centre + half.light.half_u;
+  const auto green = reference_visibility(half, r.window, r.depth, 1024);
+  int soft = 0;
+  for (std::size_t i = 0; i < even.size(); ++i) {
+    ASSERT_NEAR(both[3 * i], red[i], 0.03F);
+    ASSERT_NEAR(both[3 * i + 1], green[i], 0.03F);
+    ASSERT_NEAR(both[3 * i + 2], even[i], 0.03F) << "a colour it does not emit is spread evenly";
+    soft += red[i] > 0.0F && red[i] < 1.0F ? 1 : 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (even[i] == 0.0F || even[i] == 1.0F) {
+        ASSERT_NEAR(both[3 * i + c], even[i], 0.02F);
+      }
+    }
+  }
+  EXPECT_GT(soft, 50);
+}
+
+// All of a texture hidden is 0 and none of it hidden is 1, whatever its texels sum to.
+TEST(Reference, ATextureIsHiddenAsAWhole) {
+  Scene scene = half_plane(LightShape::rectangle);
+  Image texture(7, 5, 3);
+  for (std::size_t i = 0; i < texture.values.size(); ++i) {
+    texture.values[i] = 0.1F + 0.37F * static_cast<float>(i % 11);
+  }
+  scene.light.texture = std::make_shared<const Image>(texture);
+  const Rendered r = render(scene);
+  const auto visibility = reference_visibility(scene, r.window, r.depth, 1);
+  const auto dark = std::ranges::count(visibility, 0.0F);
+  const auto lit = std::ranges::count(visibility, 1.0F);
+  EXPECT_GT(dark, 1000);
+  EXPECT_GT(lit, 1000);
+  for (const float v : visibility) {
+    ASSERT_TRUE(v == 0.0F || v == 1.0F || (v > 1e-4F && v < 1.0F - 1e-4F)) << v;
+  }
+}
+
 // Numbers of samples that are no squares of multiples of the packet's size.
 TEST(Reference, AnyNumberOfSamples) {
   const Scene scene = half_plane(LightShape::rectangle);

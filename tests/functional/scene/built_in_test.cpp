@@ -144,7 +144,7 @@ TEST(BuiltInFiles, AreTheFilesOfTheFolder) {
   EXPECT_EQ(built_in_files().size(), on_disk.size());
   for (const char* name :
        {"plain-columns", "columns", "fractal", "text2002", "spheres27", "big-light-box", "overlap",
-        "cylinder", "ground-polygon", "bunny", "eye-in-shadow", "two-lights", "mesh"}) {
+        "cylinder", "ground-polygon", "bunny", "eye-in-shadow", "two-lights", "fire", "mesh"}) {
     EXPECT_TRUE(on_disk.contains(name)) << name;
   }
 }

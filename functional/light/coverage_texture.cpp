@@ -1,0 +1,173 @@
+#include "functional/light/coverage_texture.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <glm/geometric.hpp>
+#include <mutex>
+
+#include "base/check.h"
+#include "functional/scene/light_texture.h"
+
+namespace wedgesim::functional {
+namespace {
+
+constexpr std::size_t kMostCached = std::size_t{512} << 20U;
+
+double cross_2d(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+// Counter-clockwise about the centre, as the table takes a chord's ends.
+struct Ordered {
+  Ordered(const glm::dvec2& a, const glm::dvec2& b) : p(a), q(b) {
+    if (cross_2d(p, q) < 0.0) std::swap(p, q);
+  }
+  glm::dvec2 p, q;
+};
+
+// The two entries about a coordinate, and how near the second is.
+struct Between {
+  Between(double coordinate, int side) {
+    const double at = 0.5 * (std::clamp(coordinate, -1.0, 1.0) + 1.0) * (side - 1);
+    first = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(side) - 2);
+    second_weight = static_cast<float>(at - static_cast<double>(first));
+  }
+  float weight(std::size_t i) const { return i == 0 ? 1.0F - second_weight : second_weight; }
+  std::size_t nearest() const { return first + (second_weight >= 0.5F ? 1 : 0); }
+  std::size_t first = 0;
+  float second_weight = 0.0F;
+};
+
+}  // namespace
+
+CoverageTexture::CoverageTexture(const Emission& emission, int side, CoverageWords words)
+    : side_(side), channels_(emission.channels()) {
+  CHECK_GE(side, kLeastSide);
+  CHECK_LE(side, kMostSide);
+  CHECK_EQ(side % 2, 0);
+  const auto ends = static_cast<std::size_t>(side * side);
+  const std::size_t values = ends * ends * static_cast<std::size_t>(channels_);
+  if (words == CoverageWords::bits8) {
+    bytes_.resize(values);
+  } else {
+    floats_.resize(values);
+  }
+  fill(emission);
+}
+
+void CoverageTexture::fill(const Emission& emission) {
+  const auto ends = static_cast<std::size_t>(side_ * side_);
+  std::vector<glm::dvec2> at(ends);
+  std::vector<Emission::Colour> round(ends);
+  for (std::size_t i = 0; i < ends; ++i) {
+    const auto n = static_cast<std::size_t>(side_);
+    at[i] = 2.0 * glm::dvec2(i % n, i / n) / (side_ - 1.0) - 1.0;
+    round[i] = emission.round(at[i]);
+  }
+  tbb::parallel_for(std::size_t{0}, ends, [&](std::size_t i) {
+    for (std::size_t j = i + 1; j < ends; ++j) {
+      const bool ordered = cross_2d(at[i], at[j]) >= 0.0;
+      const std::size_t from = ordered ? i : j;
+      const std::size_t to = ordered ? j : i;
+      const Emission::Colour along = emission.along(at[from], at[to]);
+      const double whole = Emission::passes_start(at[from], at[to]) ? 1.0 : 0.0;
+      // Past the centre, the other side; past an end of the chord, less than nothing.
+      const double continued = glm::dot(at[from], at[to]) < 0.0 ? 1.0 : 0.0;
+      Emission::Colour part{};
+      Emission::Colour reversed{};
+      for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
+        part[c] = round[to][c] - round[from][c] + whole - along[c];
+        reversed[c] = continued - part[c];
+      }
+      put(from, to, part);
+      put(to, from, reversed);
+    }
+  });
+}
+
+std::size_t CoverageTexture::entry(std::size_t from, std::size_t to) const {
+  const auto ends = static_cast<std::size_t>(side_ * side_);
+  return (from * ends + to) * static_cast<std::size_t>(channels_);
+}
+
+void CoverageTexture::put(std::size_t from, std::size_t to, const Emission::Colour& part) {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
+    const std::size_t at = entry(from, to) + c;
+    if (bytes_.empty()) {
+      floats_[at] = static_cast<float>(part[c]);
+    } else {
+      bytes_[at] = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(part[c], 0.0, 1.0)));
+    }
+  }
+}
+
+void CoverageTexture::add(std::size_t entry, float weight, std::array<float, 3>& sum) const {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
+    sum[c] += weight * (bytes_.empty() ? floats_[entry + c]
+                                       : static_cast<float>(bytes_[entry + c]) / 255.0F);
+  }
+}
+
+std::array<float, 3> CoverageTexture::nearest(const glm::dvec2& p, const glm::dvec2& q) const {
+  const Ordered chord(p, q);
+  const auto end = [&](const glm::dvec2& at) {
+    return Between(at.y, side_).nearest() * static_cast<std::size_t>(side_) +
+           Between(at.x, side_).nearest();
+  };
+  std::array<float, 3> sum{};
+  add(entry(end(chord.p), end(chord.q)), 1.0F, sum);
+  return sum;
+}
+
+std::array<float, 3> CoverageTexture::quadlinear(const glm::dvec2& p, const glm::dvec2& q) const {
+  const Ordered chord(p, q);
+  const std::array<Between, 4> axes{Between(chord.p.x, side_), Between(chord.p.y, side_),
+                                    Between(chord.q.x, side_), Between(chord.q.y, side_)};
+  const auto n = static_cast<std::size_t>(side_);
+  std::array<float, 3> sum{};
+  for (std::size_t corner = 0; corner < 16; ++corner) {
+    std::array<std::size_t, 4> at{};
+    float weight = 1.0F;
+    for (std::size_t axis = 0; axis < 4; ++axis) {
+      const std::size_t second = corner >> axis & 1U;
+      at[axis] = axes[axis].first + second;
+      weight *= axes[axis].weight(second);
+    }
+    add(entry(at[1] * n + at[0], at[3] * n + at[2]), weight, sum);
+  }
+  return sum;
+}
+
+std::shared_ptr<const CoverageTexture> coverage_texture(const std::shared_ptr<const Image>& texture,
+                                                        int side, CoverageWords words) {
+  struct Entry {
+    std::shared_ptr<const Image> texture;
+    int side;
+    CoverageWords words;
+    std::shared_ptr<const CoverageTexture> made;
+  };
+  static std::mutex mutex;
+  static std::deque<Entry> cache;
+  const auto same = [&](const Entry& entry) {
+    if (entry.side != side || entry.words != words) return false;
+    if (entry.texture == texture) return true;
+    return entry.texture && texture && entry.texture->width == texture->width &&
+           entry.texture->values == texture->values;
+  };
+  const std::scoped_lock lock(mutex);
+  const auto found = std::ranges::find_if(cache, same);
+  if (found != cache.end()) return found->made;
+  const Emission emission = texture ? Emission(emission_shares(*texture)) : Emission();
+  cache.push_back(
+      {texture, side, words, std::make_shared<const CoverageTexture>(emission, side, words)});
+  std::size_t bytes = 0;
+  for (const Entry& entry : cache) bytes += entry.made->bytes();
+  while (bytes > kMostCached && cache.size() > 1) {
+    bytes -= cache.front().made->bytes();
+    cache.pop_front();
+  }
+  return cache.back().made;
+}
+
+}  // namespace wedgesim::functional
