@@ -19,12 +19,17 @@ constexpr std::size_t kMostCached = std::size_t{512} << 20U;
 double cross_2d(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 // Counter-clockwise about the centre, as the table takes a chord's ends.
-struct Ordered {
-  Ordered(const glm::dvec2& a, const glm::dvec2& b) : p(a), q(b) {
-    if (cross_2d(p, q) < 0.0) std::swap(p, q);
-  }
-  glm::dvec2 p, q;
-};
+Chord ordered(const glm::dvec2& p, const glm::dvec2& q) {
+  return cross_2d(p, q) < 0.0 ? Chord{q, p} : Chord{p, q};
+}
+
+// Of a chord that turns into one that passes the centre on the other side: whether it goes through
+// the centre itself, not beside it.
+bool goes_through_centre(const Chord& from, const Chord& to) {
+  const double before = cross_2d(from.p, from.q);
+  const double after = cross_2d(to.p, to.q);
+  return std::lerp(glm::dot(from.p, from.q), glm::dot(to.p, to.q), before / (before - after)) < 0.0;
+}
 
 // The two entries about a coordinate, and how near the second is.
 struct Between {
@@ -56,29 +61,32 @@ CoverageTexture::CoverageTexture(const Emission& emission, int side, CoverageWor
   fill(emission);
 }
 
+glm::dvec2 CoverageTexture::position(std::size_t end) const {
+  const auto n = static_cast<std::size_t>(side_);
+  return 2.0 * glm::dvec2(end % n, end / n) / (side_ - 1.0) - 1.0;
+}
+
 void CoverageTexture::fill(const Emission& emission) {
   const auto ends = static_cast<std::size_t>(side_ * side_);
   std::vector<glm::dvec2> at(ends);
   std::vector<Emission::Colour> round(ends);
   for (std::size_t i = 0; i < ends; ++i) {
-    const auto n = static_cast<std::size_t>(side_);
-    at[i] = 2.0 * glm::dvec2(i % n, i / n) / (side_ - 1.0) - 1.0;
+    at[i] = position(i);
     round[i] = emission.round(at[i]);
   }
   tbb::parallel_for(std::size_t{0}, ends, [&](std::size_t i) {
     for (std::size_t j = i + 1; j < ends; ++j) {
-      const bool ordered = cross_2d(at[i], at[j]) >= 0.0;
-      const std::size_t from = ordered ? i : j;
-      const std::size_t to = ordered ? j : i;
+      const double cross = cross_2d(at[i], at[j]);
+      const std::size_t from = cross >= 0.0 ? i : j;
+      const std::size_t to = cross >= 0.0 ? j : i;
       const Emission::Colour along = emission.along(at[from], at[to]);
       const double whole = Emission::passes_start(at[from], at[to]) ? 1.0 : 0.0;
-      // Past the centre, the other side; past an end of the chord, less than nothing.
-      const double continued = glm::dot(at[from], at[to]) < 0.0 ? 1.0 : 0.0;
+      const bool halves = cross == 0.0 && glm::dot(at[i], at[j]) < 0.0;
       Emission::Colour part{};
       Emission::Colour reversed{};
       for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
-        part[c] = round[to][c] - round[from][c] + whole - along[c];
-        reversed[c] = continued - part[c];
+        part[c] = std::clamp(round[to][c] - round[from][c] + whole - along[c], 0.0, 1.0);
+        reversed[c] = halves ? 1.0 - part[c] : part[c];
       }
       put(from, to, part);
       put(to, from, reversed);
@@ -86,42 +94,49 @@ void CoverageTexture::fill(const Emission& emission) {
   });
 }
 
-std::size_t CoverageTexture::entry(std::size_t from, std::size_t to) const {
-  const auto ends = static_cast<std::size_t>(side_ * side_);
-  return (from * ends + to) * static_cast<std::size_t>(channels_);
-}
-
 void CoverageTexture::put(std::size_t from, std::size_t to, const Emission::Colour& part) {
-  for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
-    const std::size_t at = entry(from, to) + c;
+  const auto channels = static_cast<std::size_t>(channels_);
+  const std::size_t first = (from * static_cast<std::size_t>(side_ * side_) + to) * channels;
+  for (std::size_t c = 0; c < channels; ++c) {
     if (bytes_.empty()) {
-      floats_[at] = static_cast<float>(part[c]);
+      floats_[first + c] = static_cast<float>(part[c]);
     } else {
-      bytes_[at] = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(part[c], 0.0, 1.0)));
+      bytes_[first + c] = static_cast<std::uint8_t>(std::lround(255.0 * part[c]));
     }
   }
 }
 
-void CoverageTexture::add(std::size_t entry, float weight, std::array<float, 3>& sum) const {
-  for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
-    sum[c] += weight * (bytes_.empty() ? floats_[entry + c]
-                                       : static_cast<float>(bytes_[entry + c]) / 255.0F);
+float CoverageTexture::value(std::size_t i) const {
+  return bytes_.empty() ? floats_[i] : static_cast<float>(bytes_[i]) / 255.0F;
+}
+
+// Adds an entry as the chord has it.
+void CoverageTexture::add(const Chord& chord, std::size_t from, std::size_t to, float weight,
+                          std::array<float, 3>& sum) const {
+  const Chord entry{position(from), position(to)};
+  const bool other_side = cross_2d(entry.p, entry.q) < 0.0;
+  const float whole = other_side && goes_through_centre(chord, entry) ? 1.0F : 0.0F;
+  const float sign = other_side ? -1.0F : 1.0F;
+  const auto channels = static_cast<std::size_t>(channels_);
+  const std::size_t first = (from * static_cast<std::size_t>(side_ * side_) + to) * channels;
+  for (std::size_t c = 0; c < channels; ++c) {
+    sum[c] += weight * (whole + sign * value(first + c));
   }
 }
 
 std::array<float, 3> CoverageTexture::nearest(const glm::dvec2& p, const glm::dvec2& q) const {
-  const Ordered chord(p, q);
+  const Chord chord = ordered(p, q);
   const auto end = [&](const glm::dvec2& at) {
     return Between(at.y, side_).nearest() * static_cast<std::size_t>(side_) +
            Between(at.x, side_).nearest();
   };
   std::array<float, 3> sum{};
-  add(entry(end(chord.p), end(chord.q)), 1.0F, sum);
+  add(chord, end(chord.p), end(chord.q), 1.0F, sum);
   return sum;
 }
 
 std::array<float, 3> CoverageTexture::quadlinear(const glm::dvec2& p, const glm::dvec2& q) const {
-  const Ordered chord(p, q);
+  const Chord chord = ordered(p, q);
   const std::array<Between, 4> axes{Between(chord.p.x, side_), Between(chord.p.y, side_),
                                     Between(chord.q.x, side_), Between(chord.q.y, side_)};
   const auto n = static_cast<std::size_t>(side_);
@@ -134,7 +149,7 @@ std::array<float, 3> CoverageTexture::quadlinear(const glm::dvec2& p, const glm:
       at[axis] = axes[axis].first + second;
       weight *= axes[axis].weight(second);
     }
-    add(entry(at[1] * n + at[0], at[3] * n + at[2]), weight, sum);
+    if (weight > 0.0F) add(chord, at[1] * n + at[0], at[3] * n + at[2], weight, sum);
   }
   return sum;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "functional/light/coverage.h"
 #include "functional/light/emission.h"
 
 namespace wedgesim::functional {
@@ -13,11 +14,13 @@ namespace wedgesim::functional {
 enum class CoverageWords { float32, bits8 };
 
 /// A table of what every chord of a rectangular light hides: f(x1, y1, x2, y2) for n × n ends each,
-/// evenly from border to border. Where a chord lies nearly through the light's centre, its ends in
-/// the table may pass the centre on the other side; so that this does not exchange the hidden part
-/// of the light for the rest of it, such entries hold the continuation of f past the centre.
-/// Source: Paper III, 3.3 (n = 32, 8 bits, 3 MB for three colours). Differs: the outermost entries
-/// lie on the light's border, where most clipped ends are; the continuation.
+/// evenly from border to border.
+/// A chord near the light's centre may have entries that pass the centre on its other side. What
+/// the chord hides is then not what the entry does, but the entry continued past the centre: the
+/// rest of the light, or less than nothing if it passes beside the chord. Without that, the corners
+/// of shadows, and textured lights along the hard shadow's edge, would be wrong by parts of the
+/// light. Source: Paper III, 3.3 (n = 32, 8 bits, 3 MB for three colours). Differs: the outermost
+/// entries lie on the light's border, where most clipped ends are; the continuation.
 class CoverageTexture {
  public:
   static constexpr int kLeastSide = 8;
@@ -38,8 +41,10 @@ class CoverageTexture {
  private:
   void fill(const Emission& emission);
   void put(std::size_t from, std::size_t to, const Emission::Colour& part);
-  std::size_t entry(std::size_t from, std::size_t to) const;
-  void add(std::size_t entry, float weight, std::array<float, 3>& sum) const;
+  glm::dvec2 position(std::size_t end) const;
+  float value(std::size_t i) const;
+  void add(const Chord& chord, std::size_t from, std::size_t to, float weight,
+           std::array<float, 3>& sum) const;
 
   int side_;
   int channels_;

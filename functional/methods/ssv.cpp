@@ -139,7 +139,7 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
 constexpr std::array<std::string_view, 4> kCompared{
     "ssv", "ssv:texture=32", "ssv:texture=32,filter=quadlinear", "ssv:texture=32,vbuffer=8bit"};
 constexpr std::array<std::string_view, 4> kArtifacts{"single-silhouette", "object-overlap",
-                                                     "texture-quantization", "8-bit-levels"};
+                                                     "texture-quantization", "v-buffer-overflow"};
 
 }  // namespace
 

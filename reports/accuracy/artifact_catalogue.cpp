@@ -31,6 +31,7 @@ Scene two_boards() {
 }
 Scene big_light_box() { return built_in_scene("big-light-box"); }
 Scene overlap() { return built_in_scene("overlap"); }
+Scene fine_fence() { return fence(40, 0.04, 0.04, 4.0, 2.0); }
 Scene comb() { return comb_below_sphere(4, 0.5, 0.12, 0.4); }
 Scene dense_comb() { return comb_below_sphere(9, 0.12, 0.18, 0.8); }
 Scene steep_roof() {
@@ -82,6 +83,26 @@ constexpr std::array kArtifacts{
              .paper = "Paper III, section 5.3, figure 18",
              .says = "Of casters that overlap as the light sees them, the hidden parts are added.",
              .look = "The umbra's inner corners are straight where they should be round."},
+    Artifact{.name = "texture-quantization",
+             .choice = "ssv:texture=8",
+             .remedy = "ssv:texture=32,filter=quadlinear",
+             .scene = kBoard,
+             .make = turned_square,
+             .crop = {20, 20, 200, 200},
+             .criterion = {Kind::steps, 0.05},
+             .paper = "Paper III, sections 3.3 and 5.1, figure 13",
+             .says = "A coverage texture has few entries, and its samples show.",
+             .look = "The penumbra has steps, one for each pair of entries."},
+    Artifact{.name = "v-buffer-overflow",
+             .choice = "ssv:vbuffer=8bit",
+             .remedy = "ssv",
+             .scene = "A fence of forty thin bars below a large light",
+             .make = fine_fence,
+             .crop = {90, 90, 60, 60},
+             .criterion = {Kind::wrong, 0.2},
+             .paper = "Paper III, section 4.2",
+             .says = "Eight bits hold four lights of what overlapping penumbrae add or take.",
+             .look = "The middle is black where every other part of the light is seen."},
     Artifact{.name = "too-dark-small-occluder",
              .choice = "d-buffer",
              .remedy = "d-buffer:falloff=sqrt",

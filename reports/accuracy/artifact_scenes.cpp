@@ -27,7 +27,9 @@ Scene built_in_scene(const std::string& name) {
   return functional::load_scene(name, options);
 }
 
-Scene thin_polygon(const std::vector<glm::dvec2>& outline, double height, double light) {
+namespace {
+
+Scene below_square_light(double light) {
   constexpr double kHeight = 30.0;   // of the eye: its perspective is slight
   constexpr double kHalfView = 3.0;  // world units of the floor
   Scene scene = floor_seen_from({0.0, kHeight, 0.0}, {0.0, 0.0, -1.0},
@@ -35,6 +37,13 @@ Scene thin_polygon(const std::vector<glm::dvec2>& outline, double height, double
   scene.light.centre = {0.0, 10.0, 0.0};
   scene.light.half_u = {light, 0.0, 0.0};
   scene.light.half_v = {0.0, 0.0, light};
+  return scene;
+}
+
+}  // namespace
+
+Scene thin_polygon(const std::vector<glm::dvec2>& outline, double height, double light) {
+  Scene scene = below_square_light(light);
   scene.objects.push_back(
       {functional::placed(functional::make_thin_polygon(outline), {.position = {0.0, height, 0.0}}),
        true,
@@ -50,6 +59,18 @@ Scene thin_board(const glm::dvec2& half, double turn, double height, double ligh
                          p.x * std::sin(turn) + p.y * std::cos(turn));
   }
   return thin_polygon(outline, height, light);
+}
+
+Scene fence(int bars, double width, double gap, double height, double light) {
+  Scene scene = below_square_light(light);
+  for (int i = 0; i < bars; ++i) {
+    const double x = (i - 0.5 * (bars - 1)) * (width + gap);
+    scene.objects.push_back({functional::placed(functional::make_box({width, 0.01, 2.0}),
+                                                {.position = {x, height, 0.0}}),
+                             true,
+                             {}});
+  }
+  return scene;
 }
 
 Scene boxes_below_sphere(const std::vector<Box>& boxes, double radius) {

@@ -21,6 +21,9 @@ functional::Scene thin_polygon(const std::vector<glm::dvec2>& outline, double he
 /// A board of half sides `half`, turned by `turn` radians.
 functional::Scene thin_board(const glm::dvec2& half, double turn, double height, double light);
 
+/// As many thin bars, `gap` apart, in the place of the polygon.
+functional::Scene fence(int bars, double width, double gap, double height, double light);
+
 /// Boxes over a floor, below a spherical light at height 8, seen at an angle.
 struct Box {
   glm::dvec3 size, position, turn_degrees{0.0};

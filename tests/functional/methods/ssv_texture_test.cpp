@@ -116,7 +116,7 @@ TEST(SsvTexture, FewEntriesShow) {
   EXPECT_GT(largest(ssv(scene, ":texture=8"), exact), 16.0 / 255.0);
 }
 
-// The artifact 8-bit-levels: 64 levels, and each contribution is off by half of one.
+// 64 levels, and each contribution is off by half of one.
 TEST(SsvTexture, ShortWordsHave64Levels) {
   const Scene scene = scene_of("cylinder", false, 192, 128);
   const Values exact = ssv(scene);
@@ -159,7 +159,7 @@ Scene fence() {
   return scene;
 }
 
-// More than 255 / 63 of a light is added to a pixel, and as much is taken: both stay at 255.
+// The artifact v-buffer-overflow: more than 255 / 63 of a light is added to a pixel, and as much is taken: both stay at 255.
 TEST(SsvTexture, ShortWordsOverflow) {
   const Scene scene = fence();
   const Values exact = ssv(scene);
