@@ -44,6 +44,20 @@ struct Between {
   float second_weight = 0.0F;
 };
 
+// The four entries about an end of a chord.
+struct Ends {
+  Ends(const glm::dvec2& at, int side) {
+    const Between x(at.x, side);
+    const Between y(at.y, side);
+    for (std::size_t i = 0; i < 4; ++i) {
+      entries[i] = (y.first + i / 2) * static_cast<std::size_t>(side) + x.first + i % 2;
+      weights[i] = y.weight(i / 2) * x.weight(i % 2);
+    }
+  }
+  std::array<std::size_t, 4> entries{};
+  std::array<float, 4> weights{};
+};
+
 }  // namespace
 
 CoverageTexture::CoverageTexture(const Emission& emission, int side, CoverageWords words)
@@ -58,22 +72,18 @@ CoverageTexture::CoverageTexture(const Emission& emission, int side, CoverageWor
   } else {
     floats_.resize(values);
   }
+  const auto n = static_cast<std::size_t>(side);
+  for (std::size_t i = 0; i < ends; ++i) {
+    positions_.push_back(2.0 * glm::dvec2(i % n, i / n) / (side - 1.0) - 1.0);
+  }
   fill(emission);
-}
-
-glm::dvec2 CoverageTexture::position(std::size_t end) const {
-  const auto n = static_cast<std::size_t>(side_);
-  return 2.0 * glm::dvec2(end % n, end / n) / (side_ - 1.0) - 1.0;
 }
 
 void CoverageTexture::fill(const Emission& emission) {
   const auto ends = static_cast<std::size_t>(side_ * side_);
-  std::vector<glm::dvec2> at(ends);
+  const std::vector<glm::dvec2>& at = positions_;
   std::vector<Emission::Colour> round(ends);
-  for (std::size_t i = 0; i < ends; ++i) {
-    at[i] = position(i);
-    round[i] = emission.round(at[i]);
-  }
+  for (std::size_t i = 0; i < ends; ++i) round[i] = emission.round(at[i]);
   tbb::parallel_for(std::size_t{0}, ends, [&](std::size_t i) {
     for (std::size_t j = i + 1; j < ends; ++j) {
       const double cross = cross_2d(at[i], at[j]);
@@ -113,10 +123,17 @@ float CoverageTexture::value(std::size_t i) const {
 // Adds an entry as the chord has it.
 void CoverageTexture::add(const Chord& chord, std::size_t from, std::size_t to, float weight,
                           std::array<float, 3>& sum) const {
-  const Chord entry{position(from), position(to)};
-  const bool other_side = cross_2d(entry.p, entry.q) < 0.0;
-  const float whole = other_side && goes_through_centre(chord, entry) ? 1.0F : 0.0F;
-  const float sign = other_side ? -1.0F : 1.0F;
+  // Rounding moves each coordinate by a spacing at most, and so this product by 4 and a little.
+  const double spacing = 2.0 / (side_ - 1.0);
+  float whole = 0.0F;
+  float sign = 1.0F;
+  if (cross_2d(chord.p, chord.q) < spacing * (4.0 + 2.0 * spacing)) {
+    const Chord entry{positions_[from], positions_[to]};
+    if (cross_2d(entry.p, entry.q) < 0.0) {
+      sign = -1.0F;
+      if (goes_through_centre(chord, entry)) whole = 1.0F;
+    }
+  }
   const auto channels = static_cast<std::size_t>(channels_);
   const std::size_t first = (from * static_cast<std::size_t>(side_ * side_) + to) * channels;
   for (std::size_t c = 0; c < channels; ++c) {
@@ -137,19 +154,14 @@ std::array<float, 3> CoverageTexture::nearest(const glm::dvec2& p, const glm::dv
 
 std::array<float, 3> CoverageTexture::quadlinear(const glm::dvec2& p, const glm::dvec2& q) const {
   const Chord chord = ordered(p, q);
-  const std::array<Between, 4> axes{Between(chord.p.x, side_), Between(chord.p.y, side_),
-                                    Between(chord.q.x, side_), Between(chord.q.y, side_)};
-  const auto n = static_cast<std::size_t>(side_);
+  const Ends from(chord.p, side_);
+  const Ends to(chord.q, side_);
   std::array<float, 3> sum{};
-  for (std::size_t corner = 0; corner < 16; ++corner) {
-    std::array<std::size_t, 4> at{};
-    float weight = 1.0F;
-    for (std::size_t axis = 0; axis < 4; ++axis) {
-      const std::size_t second = corner >> axis & 1U;
-      at[axis] = axes[axis].first + second;
-      weight *= axes[axis].weight(second);
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      const float weight = from.weights[i] * to.weights[j];
+      if (weight > 0.0F) add(chord, from.entries[i], to.entries[j], weight, sum);
     }
-    if (weight > 0.0F) add(chord, at[1] * n + at[0], at[3] * n + at[2], weight, sum);
   }
   return sum;
 }

@@ -41,13 +41,13 @@ class CoverageTexture {
  private:
   void fill(const Emission& emission);
   void put(std::size_t from, std::size_t to, const Emission::Colour& part);
-  glm::dvec2 position(std::size_t end) const;
   float value(std::size_t i) const;
   void add(const Chord& chord, std::size_t from, std::size_t to, float weight,
            std::array<float, 3>& sum) const;
 
   int side_;
   int channels_;
+  std::vector<glm::dvec2> positions_;  // of an end's entries, row-major n × n
   std::vector<float> floats_;  // (from, to, channels), from and to row-major n × n; or empty:
   std::vector<std::uint8_t> bytes_;  // the same, 255 is the whole light
 };

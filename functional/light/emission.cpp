@@ -9,16 +9,7 @@
 namespace wedgesim::functional {
 namespace {
 
-// Counter-clockwise from where `round` begins.
-constexpr std::array<glm::dvec2, 5> kCorners{glm::dvec2(1, -1), {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
-
 double cross_2d(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-
-// Which side of the square the ray from the centre through p leaves: by the corner before it.
-std::size_t side_of(const glm::dvec2& p) {
-  if (std::abs(p.x) >= std::abs(p.y)) return p.x >= 0.0 ? 0 : 2;
-  return p.y > 0.0 ? 1 : 3;
-}
 
 // The same side or both ways of one line, as far as rounding lets one see.
 bool same_direction(const glm::dvec2& p, const glm::dvec2& q) {
@@ -46,7 +37,7 @@ struct Crossings {
 
 }  // namespace
 
-Emission::Emission() : share_{1.0}, before_{0.0} { sum_border(); }
+Emission::Emission() : share_{1.0}, before_{0.0} { sum_rows(); }
 
 Emission::Emission(const Image& shares)
     : width_(shares.width),
@@ -60,13 +51,16 @@ Emission::Emission(const Image& shares)
   for (std::size_t i = 0; i < share_.size(); ++i) {
     before_[i] = i % row < 3 ? 0.0 : before_[i - 3] + share_[i - 3];
   }
-  sum_border();
+  sum_rows();
 }
 
-void Emission::sum_border() {
-  for (std::size_t side = 0; side < 4; ++side) {
-    border_[side + 1] = border_[side];
-    add_along(kCorners[side], kCorners[side + 1], 1.0, border_[side + 1]);
+void Emission::sum_rows() {
+  const auto channels = static_cast<std::size_t>(channels_);
+  below_.resize(static_cast<std::size_t>(height_) + 1);
+  for (std::size_t i = 0; i < share_.size(); ++i) {
+    const std::size_t row = i / channels / static_cast<std::size_t>(width_);
+    if (i % (channels * static_cast<std::size_t>(width_)) == 0) below_[row + 1] = below_[row];
+    below_[row + 1][i % channels] += share_[i];
   }
 }
 
@@ -106,12 +100,18 @@ Emission::Colour Emission::along(const glm::dvec2& from, const glm::dvec2& to) c
   return sum;
 }
 
+// Along the outline ∫ F dy grows on the right side alone: F is 0 on the left one.
 Emission::Colour Emission::round(const glm::dvec2& p) const {
   const double reach = std::max(std::abs(p.x), std::abs(p.y));
   const glm::dvec2 exit = reach > 0.0 ? p / reach : glm::dvec2(1.0, 0.0);
-  const std::size_t side = side_of(p);
-  Colour sum = border_[side];
-  add_along(kCorners[side], exit, 1.0, sum);
+  Colour sum = below_.back();
+  if (exit.x > 0.0 && exit.x >= std::abs(exit.y)) {
+    const double y = texels(exit).y;
+    const auto row = std::min(static_cast<std::size_t>(y), below_.size() - 2);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
+      sum[c] = std::lerp(below_[row][c], below_[row + 1][c], y - static_cast<double>(row));
+    }
+  }
   add_along(exit, p, 1.0, sum);
   return sum;
 }

@@ -40,15 +40,15 @@ class Emission {
 
  private:
   glm::dvec2 texels(const glm::dvec2& p) const;
-  void sum_border();
+  void sum_rows();
   void add_along(const glm::dvec2& from, const glm::dvec2& to, double sign, Colour& sum) const;
 
   int width_ = 1;
   int height_ = 1;
   int channels_ = 1;
-  std::vector<double> share_;       // (height, width, channels), sums to 1
-  std::vector<double> before_;      // (height, width, channels) of the row's texels to the left
-  std::array<Colour, 5> border_{};  // counter-clockwise, up to each corner
+  std::vector<double> share_;   // (height, width, channels), sums to 1
+  std::vector<double> before_;  // (height, width, channels) of the row's texels to the left
+  std::vector<Colour> below_;   // (height + 1) of all rows before one
 };
 
 }  // namespace wedgesim::functional
