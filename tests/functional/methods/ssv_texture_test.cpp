@@ -159,7 +159,8 @@ Scene fence() {
   return scene;
 }
 
-// The artifact v-buffer-overflow: more than 255 / 63 of a light is added to a pixel, and as much is taken: both stay at 255.
+// The artifact v-buffer-overflow: more than 255 / 63 of a light is added to a pixel, and as much is
+// taken: both stay at 255.
 TEST(SsvTexture, ShortWordsOverflow) {
   const Scene scene = fence();
   const Values exact = ssv(scene);
