@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "functional/geometry/exact_cross.h"
 #include "functional/geometry/hull.h"
 #include "functional/scene/across.h"
 
@@ -198,7 +199,7 @@ void drop_surplus_sides(std::vector<OutlineRay>& rays) {
 
 glm::dvec4 quad_plane(const glm::dvec3& light_centre, const glm::dvec3& begin,
                       const glm::dvec3& end) {
-  const glm::dvec3 normal = glm::cross(end - light_centre, begin - light_centre);
+  const glm::dvec3 normal = exact_cross(light_centre, end, begin);
   return {normal, -glm::dot(normal, light_centre)};
 }
 

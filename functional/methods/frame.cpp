@@ -86,8 +86,9 @@ void fill_frame(const Scene& scene, const FrameOptions& options, Frame& frame) {
                     : render_depth(window, scene.objects, options.depth_format);
   traces::Header& header = frame.trace.header;
   header.depth_format = frame.depth.format;
+  const glm::dmat3 light_axes(light_from_world(scene.light));
   header.lights.front().light_from_window =
-      to_fb(light_from_world(scene.light) * window.world_from_window);
+      to_fb(from_window(window, light_axes, light_axes * (window.eye - scene.light.centre)));
   frame.geometry =
       build_shadow_geometry(scene, window, options.kind, options.length,
                             receivers_of(scene, window, frame.depth, options), frame.trace);

@@ -28,6 +28,8 @@ void rescale(LightView& view, double sx, double tx, double sy, double ty) {
   back[3][1] = -ty / sy;
   view.window_from_world = there * view.window_from_world;
   view.world_from_window = view.world_from_window * back;
+  view.ray_from_window = view.ray_from_window * glm::dmat3(glm::dvec3(back[0]), glm::dvec3(back[1]),
+                                                           glm::dvec3(back[3].x, back[3].y, 1.0));
 }
 
 // The corners as (x·w, y·w, w), each a column.

@@ -62,6 +62,9 @@ Window make_window(const Camera& camera, int width, int height) {
   window.window_from_world = window_from_eye * eye_from_world;
   window.world_from_window = world_from_eye * eye_from_window;
   window.eye = camera.eye;
+  window.ray_from_window[0] = right / pixels_per_unit;
+  window.ray_from_window[1] = down / pixels_per_unit;
+  window.ray_from_window[2] = forward - (half_width * right + half_height * down) / pixels_per_unit;
   const std::array<glm::dvec2, 4> corners{glm::dvec2(0.0, 0.0), glm::dvec2(width, 0.0),
                                           glm::dvec2(width, height), glm::dvec2(0.0, height)};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -71,8 +74,9 @@ Window make_window(const Camera& camera, int width, int height) {
 }
 
 glm::dvec3 world_point(const Window& window, double x, double y, double z) {
-  const glm::dvec4 p = window.world_from_window * glm::dvec4(x, y, z, 1.0);
-  return glm::dvec3(p) / p.w;
+  // Not by world_from_window, whose terms are the eye over the near plane's distance: far from
+  // there they cancel, and the point leaves its ray by their rounding.
+  return window.eye + view_distance(window, z) * (window.ray_from_window * glm::dvec3(x, y, 1.0));
 }
 
 glm::dvec3 forward(const Window& window) {
@@ -88,8 +92,21 @@ double window_depth(const Window& window, double view_distance) {
   return (1.0 / view_distance - window.world_from_window[3].w) / window.world_from_window[2].w;
 }
 
+glm::dmat4 from_window(const Window& window, const glm::dmat3& axes, const glm::dvec3& eye) {
+  const glm::dmat3 rays = axes * window.ray_from_window;
+  const double per_z = window.world_from_window[2].w;
+  const double at_zero = window.world_from_window[3].w;
+  return {glm::dvec4(rays[0], 0.0), glm::dvec4(rays[1], 0.0), glm::dvec4(per_z * eye, per_z),
+          glm::dvec4(rays[2] + at_zero * eye, at_zero)};
+}
+
 glm::dvec4 window_plane(const Window& window, const glm::dvec4& world_plane) {
-  return glm::transpose(window.world_from_window) * world_plane;
+  const glm::dvec3 normal(world_plane);
+  const glm::dvec3 along_rays = normal * window.ray_from_window;
+  const double at_eye = glm::dot(normal, window.eye) + world_plane.w;
+  const double per_z = window.world_from_window[2].w;
+  const double at_zero = window.world_from_window[3].w;
+  return {along_rays.x, along_rays.y, at_eye * per_z, along_rays.z + at_eye * at_zero};
 }
 
 }  // namespace wedgesim::functional

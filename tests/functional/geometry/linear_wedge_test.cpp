@@ -189,6 +189,46 @@ TEST_P(LinearWedgeOfLight, HoldsTheMiddleOfThePenumbra) {
 }
 
 // An edge that points at the light is left out, its ends joined (Paper I, 8).
+struct CornerCase {
+  const char* what;
+  std::vector<glm::dvec3> loop;
+};
+
+// Do wedges end in the end plane where the planes of two edges meet in a line along it, and have
+// they side planes where a loop turns back along its edge?
+TEST(LinearWedge, CornersWithoutAMeetingTakeARay) {
+  Light light;
+  light.shape = LightShape::rectangle;
+  light.half_u = {-0.25, 0.0, 0.0};
+  light.half_v = {0.0, 0.0, -0.25};
+  EndPlane end_plane;
+  end_plane.plane = {0.0, 1.0, 0.0, 2.0};
+  const Bounds bounds{glm::dvec3(-4.0, -2.0, -4.0), glm::dvec3(4.0, 0.0, 4.0)};
+  const glm::dvec3 a(0.5, -1.0, 0.0);
+  const glm::dvec3 b(0.0, -1.0, 0.5);
+  const glm::dvec3 c(-0.5, -1.0, 0.0);
+  const glm::dvec3 d(0.0, -1.0, -0.5);
+  const glm::dvec3 o(0.0, -1.0, 0.0);
+  const CornerCase cases[]{
+      {"back along an edge", {a, b, a, c}},
+      {"out and back", {a, b, c, b}},
+      // The front planes of two edges along x and y meet along z, and the like.
+      {"parallel to the end plane", {a, o, b, o, c, o, d, o}},
+  };
+  for (const CornerCase& corner_case : cases) {
+    SCOPED_TRACE(corner_case.what);
+    for (const LinearWedge& wedge : linear_wedges(light, corner_case.loop, end_plane, bounds)) {
+      for (const glm::dvec4& plane : wedge.volume.planes) {
+        EXPECT_NEAR(glm::length(glm::dvec3(plane)), 1.0, 1e-9);
+      }
+      for (const std::size_t far : {2U, 3U}) {
+        EXPECT_NEAR(wedge.umbra[far].y, -2.0, 1e-9);
+        EXPECT_LT(glm::length(wedge.umbra[far]), 100.0);
+      }
+    }
+  }
+}
+
 TEST(LinearWedge, EdgesThatPointAtTheLightAreLeftOut) {
   Light light;
   light.centre = {0.0, 10.0, 0.0};

@@ -215,6 +215,41 @@ TEST(ScreenBuilder, UmbraPolygonsAreConvexParts) {
   EXPECT_GT(parts, 50);
 }
 
+// Does a wedge reach to the eye that stands in it, where its sides are beyond the guard band?
+TEST(ScreenBuilder, WedgesAroundTheEyeBeginAtTheNearPlane) {
+  Camera camera;
+  camera.target = {0.0, 0.0, -1.0};
+  camera.field_of_view_degrees = 1e-3;
+  camera.near_plane = 0.5;
+  camera.far_plane = 100.0;
+  WorldWedge volume;
+  volume.planes = {{1, 0, 0, 100}, {-1, 0, 0, 100}, {0, 1, 0, 100}, {0, -1, 0, 100}, {0, 0, 1, 50}};
+  for (const double z : {100.0, -50.0}) {
+    for (const glm::dvec2 p : {glm::dvec2(-100, -100), {100, -100}, {100, 100}, {-100, 100}}) {
+      volume.vertices.emplace_back(p, z);
+    }
+  }
+  volume.faces = {{0, {0, 3, 7, 4}},
+                  {1, {1, 5, 6, 2}},
+                  {2, {0, 4, 5, 1}},
+                  {3, {3, 2, 6, 7}},
+                  {4, {4, 7, 6, 5}}};
+  const auto depths_from = [&](const glm::dvec3& eye) {
+    camera.target += eye - camera.eye;
+    camera.eye = eye;
+    const Window window = make_window(camera, kWidth, kHeight);
+    traces::Trace trace;
+    fb::Wedge wedge;
+    EXPECT_TRUE(ScreenBuilder(window, trace).add_faces(volume, wedge));
+    EXPECT_EQ(wedge.face_count(), 1U);  // the bottom
+    return std::pair(wedge.z_min(), window_depth(window, eye.z + 50.0) - wedge.z_min());
+  };
+  EXPECT_LE(depths_from({0.0, 0.0, 0.0}).first, 0.0);
+  // From outside, the bottom behind it is all that is seen, too; but it is not in the wedge.
+  volume.planes[0].w = -50.0;
+  EXPECT_LT(depths_from({0.0, 0.0, 0.0}).second, 1e-6);
+}
+
 TEST(ScreenBuilder, NothingInFrontOfTheEyeIsNothing) {
   Random random(125);
   const Window window = random_window(random);

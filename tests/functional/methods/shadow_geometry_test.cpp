@@ -87,6 +87,29 @@ TEST(ShadowGeometry, OneBox) {
   EXPECT_FALSE(trace.header.z_fail_needed);
 }
 
+// Of a light that is a line, as far as double precision tells, edges along it have no penumbra: no
+// wedge, but all the same an umbra polygon.
+TEST(ShadowGeometry, WedgesThatHoldNothingAreCounted) {
+  Scene scene = box_over_floor();
+  scene.light.half_v.z = 0x1p-80;
+  ShadowGeometry geometry;
+  const traces::Trace trace = build(scene, fb::WedgeKind_linear, &geometry);
+  const Mesh& box = scene.objects[1].mesh;
+  const auto silhouette = find_silhouette(box, scene.light.centre);
+  const auto& edges = silhouette.loops.front();
+  const auto along =
+      static_cast<std::size_t>(std::ranges::count_if(edges, [&](const SilhouetteEdge& edge) {
+        const glm::dvec3 way = box.positions[edge.end] - box.positions[edge.begin];
+        return way.y == 0.0 && way.z == 0.0;
+      }));
+  EXPECT_GT(along, 0U);
+  EXPECT_EQ(geometry.degenerate_wedges, along);
+  EXPECT_EQ(trace.wedges.size() + along, edges.size());
+  const auto sides =
+      std::ranges::count(trace.umbra_polygons, fb::UmbraRole_side, &fb::UmbraPolygon::role);
+  EXPECT_EQ(static_cast<std::size_t>(sides), edges.size());
+}
+
 // In a closed volume the planes of sides and bottom hold the points of the shadow.
 TEST(ShadowGeometry, UmbraPlanesFaceTheShadow) {
   const Scene scene = box_over_floor();

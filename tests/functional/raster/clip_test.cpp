@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "base/limits.h"
 #include "tests/functional/random.h"
 
 namespace wedgesim::functional {
@@ -114,6 +115,33 @@ TEST(Clip, KeepsWhatIsVisible) {
     EXPECT_EQ(points[i], glm::dvec3(h) / h.w);
   }
   EXPECT_GT(points[2].z, 1.0);
+}
+
+// Is a cut at the near plane, or at the guard band beside it, a point where the near plane is
+// nearer than the rounding of the corners?
+TEST(Clip, CutsNearerThanTheirCornersRoundingArePoints) {
+  for (const double near : {0x1p-38, 0x1p-49}) {
+    Camera camera;
+    camera.eye = {0.25, 0.0, 0.125};
+    camera.target = {0.25, -1.0, -0.875};
+    camera.near_plane = near;
+    camera.far_plane = 100.0;
+    const Window window = make_window(camera, 320, 200);
+    const double wide = 0x1p18;
+    for (const double low : {-1.0, -0x1p-10}) {
+      const std::array<glm::dvec3, 4> floor{
+          glm::dvec3(-wide, low, -wide), {-wide, low, wide}, {wide, low, wide}, {wide, low, -wide}};
+      const std::vector<WindowPoint> points = clip_to_window(window, floor);
+      ASSERT_GE(points.size(), 3U);
+      for (const WindowPoint& p : points) {
+        EXPECT_GE(p.x, kGuardLow - 1e-6);
+        EXPECT_LE(p.x, kGuardHigh + 1e-6);
+        EXPECT_GE(p.y, kGuardLow - 1e-6);
+        EXPECT_LE(p.y, kGuardHigh + 1e-6);
+        EXPECT_GE(p.z, -1e-9);
+      }
+    }
+  }
 }
 
 TEST(Clip, SnapsToTheNearest256thOfAPixel) {

@@ -76,6 +76,21 @@ TEST(Window, AxesAndPixelCentres) {
   EXPECT_NEAR(p.y, camera.eye.y, 1e-12);
 }
 
+// Does a point stay on its ray where the near plane is tiny beside the eye's coordinates?
+TEST(Window, PointsLeaveTheirRayByOneRounding) {
+  Camera camera = plain_camera();
+  camera.eye = glm::dvec3(1.21, -1.99, 0.3);
+  camera.target = camera.eye + 0x1p-18 * glm::dvec3(-0.5, -0.75, -0.125);
+  camera.near_plane = 0x1p-30;
+  camera.far_plane = 0x1p-14;
+  const Window pixel = make_window(camera, 1, 1);
+  const glm::dvec3 way = glm::normalize(camera.target - camera.eye);
+  for (const double z : {0.0, 0.99, 0.9999, 1.0}) {
+    const glm::dvec3 seen = world_point(pixel, 0.5, 0.5, z) - camera.eye;
+    EXPECT_LT(glm::length(seen - glm::dot(seen, way) * way), 0x1p-51) << z;
+  }
+}
+
 // Does the vertical field of view span the rows, and are pixels square?
 TEST(Window, FieldOfViewSpansTheRows) {
   const Camera camera = plain_camera();
