@@ -62,6 +62,10 @@ int replay(const Arguments& arguments) {
   refuse_with_replay("--seeds", !arguments.seeds.empty());
   const stress::CaseName name = stress::parse_case("--replay", arguments.replay);
   if (!arguments.arithmetic.empty()) parse_arithmetic(arguments.arithmetic);
+  if (!arguments.out.empty() && !std::filesystem::path(arguments.out).has_filename()) {
+    throw InputError(arguments.out, "is a folder",
+                     "with --replay a file name, to be ended by .png and .wtrace");
+  }
   const std::string png = arguments.out + ".png";
   const std::string trace = arguments.out + ".wtrace";
   if (!arguments.out.empty()) {
@@ -95,9 +99,7 @@ int run(const Arguments& arguments) {
   if (!arguments.seeds.empty()) {
     options.seeds = static_cast<std::uint64_t>(parse_integer("--seeds", arguments.seeds, 1, 1000));
   }
-  if (!arguments.out.empty()) {
-    require_writable(std::filesystem::path(arguments.out) / "stress.html");
-  }
+  if (!arguments.out.empty()) stress::require_stress_writable(arguments.out);
   if (!arguments.json.empty()) require_writable(arguments.json);
   std::vector<stress::FamilyResult> results;
   {

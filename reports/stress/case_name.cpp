@@ -68,6 +68,14 @@ CaseName parse_case(std::string_view option, std::string_view text) {
         option, fmt::format("'{}' is not a difficulty of {}", parts[2], name.family->name),
         fmt::format("a number from {} to {}", difficulty_text(least), difficulty_text(greatest)));
   }
+  const double step = name.family->step;
+  if (step > 0.0 && std::fmod(*difficulty, step) != 0.0) {
+    throw InputError(
+        option,
+        fmt::format("'{}' is not a difficulty of {}, which counts", parts[2], name.family->name),
+        fmt::format("a multiple of {} from {} to {}", step, difficulty_text(least),
+                    difficulty_text(greatest)));
+  }
   name.difficulty = *difficulty;
   return name;
 }

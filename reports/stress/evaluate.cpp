@@ -1,6 +1,7 @@
 #include "reports/stress/evaluate.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -13,7 +14,7 @@ namespace {
 using model::Primitive;
 
 // Of a plane made in double precision from a scene, and of its value: half units in the last place
-// of its largest term.
+// of its terms.
 constexpr double kRoundings = 16.0;
 
 // A contribution may leave [0, 1] by its own rounding.
@@ -153,14 +154,36 @@ class Walk {
     });
   }
 
-  // Whether a plane's value at a pixel is within what rounding in double precision explains.
+  // Whether a plane's value at a pixel is within what rounding in double precision explains: of its
+  // terms in the window, and of those that its value at the eye was made from in the world.
   bool may_err(const model::Plane& plane, const Pixel& p) const {
     const double size = std::fabs(plane.a) * trace_.header.width +
                         std::fabs(plane.b) * trace_.header.height + std::fabs(plane.c) +
-                        std::fabs(plane.d);
+                        std::fabs(plane.d) + world_terms(plane, p.window_z);
     const double value =
         ((plane.a * p.centre_x() + plane.b * p.centre_y()) + plane.c * p.window_z) + plane.d;
     return std::fabs(value) <= kRoundings * 0x1p-53 * size;
+  }
+
+  // In window units: world planes go through the light, which is as far as this from the eye.
+  double world_terms(const model::Plane& plane, double z) const {
+    const traces::Camera& camera = trace_.header.camera;
+    const auto& from_world = *camera.window_from_world.columns();
+    const auto& to_world = *camera.world_from_window.columns();
+    const std::array terms{plane.a, plane.b, plane.c, plane.d};
+    const auto dot = [&](std::size_t column) {
+      double sum = 0.0;
+      for (std::size_t row = 0; row < terms.size(); ++row) {
+        sum += terms[row] * from_world[static_cast<std::uint16_t>(4 * column + row)];
+      }
+      return sum;
+    };
+    const double normal = std::hypot(dot(0), dot(1), dot(2));
+    const traces::fb::Vec3& light = trace_.header.lights.front().centre;
+    const double to_eye = std::hypot(light.x() - camera.eye.x(), light.y() - camera.eye.y(),
+                                     light.z() - camera.eye.z());
+    const double per_distance = to_world[11] * z + to_world[15];
+    return normal * to_eye * per_distance;
   }
 
   bool is_inner(const Primitive& wedge, const Pixel& p) const {

@@ -37,10 +37,13 @@ struct Family {
   struct Required {
     std::optional<double> fixed, double_precision;
   } required;
-  /// The same seed and difficulty give the same case. Difficulties between the levels work, too.
+  /// The same seed and difficulty give the same case. Difficulties between the levels work, too,
+  /// if they are multiples of `step`.
   Case (*make)(std::uint64_t seed, double difficulty);
   /// A frame that is refused with a reason is an answer, too, at every level.
   bool may_refuse = false;
+  /// Difficulties are multiples of this: those that count something. 0: any number.
+  double step = 0.0;
 };
 
 /// All families, in the order of the report.

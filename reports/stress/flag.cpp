@@ -87,11 +87,12 @@ std::vector<Flagged> flag(const traces::TraceView& trace, const model::Datapath&
       "its pixel's sum differs visibly from double precision");
   add_at([&](std::size_t i) { return is_finer_than_double(trace, i); },
          "a pixel's stored depth is finer than its window depth in double precision");
-  if (datapath.kind == model::DatapathKind::exact && !trace.expected_li.empty()) {
+  if (!trace.expected_li.empty()) {
+    // What the trace's matrices and planes have lost, all datapaths lack.
     add_at(
         [&](std::size_t i) {
           const double sensitivity = trace.li_sensitivity.empty() ? 0.0 : trace.li_sensitivity[i];
-          const double error = li(evaluation, i, exact_one) - trace.expected_li[i];
+          const double error = li(exact, i, exact_one) - trace.expected_li[i];
           return std::fabs(error) > 0.25 * datapath.tolerance() + sensitivity;
         },
         "the block and the renderer differ at a pixel");

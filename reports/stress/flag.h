@@ -19,8 +19,9 @@ struct Flagged {
 
 /// What can be known to be doubtful without a judge: a primitive is flagged
 /// - by its constants (model/count/wedge_check.h);
-/// - exact: if a plane that LI jumps across passes a pixel by less than its rounding, or if a pixel
-///   of it differs from the trace's expected LI;
+/// - exact: if a plane that LI jumps across passes a pixel by less than its rounding;
+/// - if exact, at a pixel of it, differs from the trace's expected LI by a quarter of the
+///   datapath's tolerance and the sensitivity;
 /// - not exact: if at a pixel it gives, or all give together, what differs visibly from exact;
 /// - fixed: if LI leaves its word at a pixel of it, or if so many contributions are rounded there
 ///   that they may add up to more than the tolerance (five standard deviations);

@@ -139,12 +139,26 @@ std::string family_html(const FamilyResult& result, const std::vector<page::RowC
   return html + "</div>\n" + failures_html(result, pictures) + "</article>\n";
 }
 
+std::filesystem::path picture_path(const std::filesystem::path& folder, const Family& family,
+                                   Arithmetic arithmetic) {
+  return folder / "pictures" / fmt::format("{}_{}.png", family.name, name_of(arithmetic));
+}
+
+// Of whatever families: a page of some stands beside no picture of others.
+void remove_pictures(const std::filesystem::path& folder) {
+  for (const Family& family : families()) {
+    for (const Arithmetic a : kArithmetics) {
+      std::error_code error;  // what cannot be removed cannot be written over, which is reported
+      std::filesystem::remove(picture_path(folder, family, a), error);
+    }
+  }
+}
+
 FailurePicture draw(const FamilyResult& result, Arithmetic arithmetic, const Measurement& failed,
                     const std::filesystem::path& folder) {
   const Image image =
       picture_of(failed, std::array{arithmetic}, std::min(kScale, visible_scale(failed)));
-  const std::filesystem::path path =
-      folder / "pictures" / fmt::format("{}_{}.png", result.family->name, name_of(arithmetic));
+  const std::filesystem::path path = picture_path(folder, *result.family, arithmetic);
   write_image(path, image);
   return {result.family, arithmetic, std::string(MappedFile(path).text()), image.width,
           image.height};
@@ -180,8 +194,17 @@ std::string stress_page(const RunOptions& options, const std::vector<FamilyResul
   });
 }
 
+void require_stress_writable(const std::filesystem::path& folder) {
+  require_writable(folder / "stress.json");
+  require_writable(folder / "stress.html");
+  for (const Family& family : families()) {
+    for (const Arithmetic a : kArithmetics) require_writable(picture_path(folder, family, a));
+  }
+}
+
 void write_stress(const std::filesystem::path& folder, const RunOptions& options,
                   const std::vector<FamilyResult>& results) {
+  remove_pictures(folder);
   write_json(folder / "stress.json", stress_json(options, results));
   std::vector<FailurePicture> pictures;
   for (const FamilyResult& result : results) {

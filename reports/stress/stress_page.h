@@ -20,7 +20,12 @@ struct FailurePicture {
 std::string stress_page(const RunOptions& options, const std::vector<FamilyResult>& results,
                         const std::vector<FailurePicture>& pictures);
 
-/// Writes stress.json, stress.html and pictures/FAMILY_ARITHMETIC.png into a folder.
+/// Refuses a folder into which write_stress could not write, before long work.
+/// \throws InputError as write_stress does
+void require_stress_writable(const std::filesystem::path& folder);
+
+/// Writes stress.json, stress.html and pictures/FAMILY_ARITHMETIC.png into a folder. Pictures that
+/// an earlier run left there are removed.
 /// \throws InputError if a file cannot be written
 void write_stress(const std::filesystem::path& folder, const RunOptions& options,
                   const std::vector<FamilyResult>& results);

@@ -11,7 +11,7 @@
 namespace wedgesim::reports::stress {
 namespace {
 
-// The whole number of a difficulty, which may lie between the levels.
+// The number that a difficulty counts.
 int whole(double difficulty, int least) {
   return std::max(least, static_cast<int>(std::lround(difficulty)));
 }
@@ -101,20 +101,33 @@ std::vector<Family> count_families() {
        "",
        {1, 2, 5, 10, 15, 16, 30, 100, 300, 1000},
        {15.0, 1000.0},
-       overlap},
-      {"many-edges", "edges whose wedges hold a point", "", edges, {48.0, 1e5}, many_edges},
+       overlap,
+       false,
+       1.0},
+      {"many-edges",
+       "edges whose wedges hold a point",
+       "",
+       edges,
+       {48.0, 1e5},
+       many_edges,
+       false,
+       1.0},
       {"many-edges-wide",
        "edges whose wedges hold a point, 20 fraction bits of LI",
        "",
        edges,
        {1e4, {}},
-       many_edges_wide},
+       many_edges_wide,
+       false,
+       1.0},
       {"vertex-degree",
        "degree of a vertex in the silhouette",
        "",
        {2, 4, 6, 8},
        {8.0, 8.0},
-       vertex_degree},
+       vertex_degree,
+       false,
+       2.0},
   };
 }
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
+#include <span>
 #include <string_view>
 
 #include "reports/stress/families/groups.h"
@@ -11,7 +13,7 @@ namespace {
 
 // What random_search_test.cpp found and made simple, each once wrong for the reason above it. Their
 // order never changes: a frame is called by its place.
-constexpr std::array<std::string_view, 17> kFound{
+constexpr std::array<std::string_view, 21> kFound{
     // The eye in a wedge much wider than the view: the wedge's interval of depth ended at its
     // faces.
     "light_size=4 floor_tilt_x=3 view=-6 first.size=-6",
@@ -37,24 +39,63 @@ constexpr std::array<std::string_view, 17> kFound{
     "light=1 light_size=-14 close_up=1 first.shape=4",
     "light=1 first.size=-15",
     "light=1 first.depth=-2 first.size=-12",
+    // A near plane tiny beside the eye's coordinates: points of the renderer left their rays.
+    "format=3 light_size=-20 near=10 close_up=1 first.x=5 first.x0=7",
+    // Edges in one line with the light's centre, all but: their quad's plane was mostly rounding.
+    "offset=17 axes=1 turn=2 grid=2 first.shape=2 first.size=-15 first.thick=1 first.move=4",
+    "light=6 turn=1 first.shape=2 first.depth=9 first.size=-15 first.pyramid=1 first.x=8",
+    "light_roll=3 eye_x=-8 eye_z=2 first.shape=5 first.pyramid=1 first.x=3 first.turn=7 "
+    "first.x0=-5 "
+    "first.move=3 first.move_a=1 first.move_by=42",
 };
 
-Case found(std::uint64_t, double index) {
-  const double last = static_cast<double>(kFound.size() - 1);
-  return case_of(genes_of(kFound[static_cast<std::size_t>(std::clamp(index, 0.0, last))]));
+// What can only be flagged; each was once wrong without.
+constexpr std::array<std::string_view, 5> kFlagged{
+    // A caster 2^-19 as large as the light, two of its corners 2^-18 of that apart.
+    "light=1 first.size=-19 first.turn=4 first.z0=2 first.x1=5 first.then=5 first.then_by=18",
+    // The eye in a quad's plane, pixel centres on the line that it is seen as.
+    "light_size=9 turn=6 eye_place=5 up=1 first.x1=-8 first.x2=1",
+    "grid=1 eye_x=-7 eye_z=1 eye_distance=6 close_up=1 up=2 first.shape=3",
+    // A light 2^-22 wide, seen through a near plane 2^-20 away: the matrix from the window is a
+    // difference of terms 2^20 times as large.
+    "format=3 light=1 light_size=-22 near=20 close_up=1 first.z=7",
+    // The eye in the planes of two quads that have no polygon, and a whole diagonal of the picture.
+    "turn=3 eye_place=5 view=-6 up=2 first.z1=-8",
+};
+
+Case case_at(std::span<const std::string_view> cases, double index) {
+  const double last = static_cast<double>(cases.size() - 1);
+  return case_of(genes_of(cases[static_cast<std::size_t>(std::clamp(index, 0.0, last))]));
+}
+Case found(std::uint64_t, double index) { return case_at(kFound, index); }
+Case found_flagged(std::uint64_t, double index) { return case_at(kFlagged, index); }
+
+std::vector<double> places_of(std::span<const std::string_view> cases) {
+  std::vector<double> places(cases.size());
+  std::iota(places.begin(), places.end(), 0.0);
+  return places;
 }
 
 }  // namespace
 
 std::vector<Family> found_families() {
-  std::vector<double> levels;
-  for (std::size_t i = 0; i < kFound.size(); ++i) levels.push_back(static_cast<double>(i));
+  const std::vector<double> found_places = places_of(kFound);
   return {{"found",
            "number of a frame that the random search found",
            "",
-           levels,
-           {levels.back(), levels.back()},
-           found}};
+           found_places,
+           {found_places.back(), found_places.back()},
+           found,
+           false,
+           1.0},
+          {"found-flagged",
+           "number of a frame that the random search found, which can only be flagged",
+           "",
+           places_of(kFlagged),
+           {},
+           found_flagged,
+           false,
+           1.0}};
 }
 
 }  // namespace wedgesim::reports::stress

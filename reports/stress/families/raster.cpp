@@ -75,7 +75,9 @@ std::vector<Family> raster_families() {
        "",
        sizes,
        {sizes.back(), sizes.back()},
-       frame_size},
+       frame_size,
+       false,
+       1.0},
   };
 }
 

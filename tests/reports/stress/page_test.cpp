@@ -1,6 +1,8 @@
 // Does the page say what was measured? The browser test looks at the rest.
 #include <gtest/gtest.h>
 
+#include "base/error.h"
+#include "base/file.h"
 #include "reports/page/html.h"
 #include "reports/stress/stress_charts.h"
 #include "reports/stress/stress_page.h"
@@ -68,12 +70,24 @@ TEST(StressWords, AreMadeFromTheResults) {
 
 TEST(StressPage, IsWrittenWithItsFiles) {
   const TemporaryFolder folder;
+  write_file(folder / "pictures/offset_fixed.png", "of an earlier run");
+  write_file(folder / "pictures/mine.png", "no business of ours");
   write_stress(folder.path(), {{}, 2}, tests::sample_results());
   for (const char* file : {"stress.html", "stress.json", "pictures/brittle_float32.png",
                            "pictures/brittle_double.png"}) {
     EXPECT_TRUE(std::filesystem::is_regular_file(folder / file)) << file;
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "pictures/steady_fixed.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "pictures/offset_fixed.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "pictures/mine.png"));
+}
+
+TEST(StressPage, ItsFolderIsCheckedBeforehand) {
+  const TemporaryFolder folder;
+  require_stress_writable(folder / "out");
+  EXPECT_EQ(folder.entries(), 0U);
+  write_file(folder / "pictures", "a file");
+  EXPECT_THROW(require_stress_writable(folder.path()), InputError);
 }
 
 }  // namespace
