@@ -132,8 +132,8 @@ bool in_belt(DiskFacing facing) {
 DiskSilhouettes find_disk_silhouettes(const LightDisk& disk, const Mesh& mesh) {
   DiskSilhouettes result;
   result.facings = disk_facings(disk, mesh);
-  std::vector<bool> some(result.facings.size());
-  std::vector<bool> all(result.facings.size());
+  std::vector<std::uint8_t> some(result.facings.size());
+  std::vector<std::uint8_t> all(result.facings.size());
   for (std::size_t t = 0; t < result.facings.size(); ++t) {
     some[t] = result.facings[t] != DiskFacing::none;
     all[t] = result.facings[t] == DiskFacing::all;

@@ -1,66 +1,90 @@
 #include "functional/geometry/silhouette.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <unordered_map>
+#include <numeric>
 #include <utility>
 
 #include "base/check.h"
+#include "functional/scene/mesh_edges.h"
 
 namespace wedgesim::functional {
 namespace {
 
-// Edges of light-facing triangles whose other side does not face the light: what is left when the
-// two directions of an edge inside the light-facing region cancel.
-std::vector<SilhouetteEdge> boundary_of(const Mesh& mesh, const std::vector<bool>& light_facing) {
-  struct Directed {
-    std::uint64_t undirected;
-    std::uint32_t begin, end;
-  };
-  std::vector<Directed> edges;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!light_facing[t]) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = mesh.triangles[t][i];
-      const std::uint32_t b = mesh.triangles[t][(i + 1) % 3];
-      edges.push_back({(std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b), a, b});
+constexpr std::size_t kChunk = 8192;  // triangles or edges that one task takes
+
+// Calls body(begin, end, chunk) for all chunks of n items in parallel.
+template <typename Body>
+void for_each_chunk(std::size_t n, const Body& body) {
+  tbb::parallel_for(std::size_t{0}, (n + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+    body(chunk * kChunk, std::min(n, (chunk + 1) * kChunk), chunk);
+  });
+}
+
+std::vector<std::uint8_t> facing(const Mesh& mesh, const glm::dvec3& from) {
+  std::vector<std::uint8_t> light_facing(mesh.triangles.size());
+  for_each_chunk(light_facing.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& corner = mesh.triangles[t];
+      const glm::dvec3& p = mesh.positions[corner[0]];
+      const glm::dvec3 normal =
+          glm::cross(mesh.positions[corner[1]] - p, mesh.positions[corner[2]] - p);
+      light_facing[t] = glm::dot(normal, from - p) > 0.0 ? 1 : 0;
     }
-  }
-  std::sort(edges.begin(), edges.end(), [](const Directed& a, const Directed& b) {
-    return a.undirected != b.undirected ? a.undirected < b.undirected : a.begin < b.begin;
+  });
+  return light_facing;
+}
+
+// Edges of light-facing triangles whose other side does not face the light, in the edges' order.
+std::vector<SilhouetteEdge> boundary_of(const std::vector<MeshEdge>& edges,
+                                        const std::vector<std::uint8_t>& light_facing) {
+  const auto faces = [&](std::uint32_t triangle) {
+    return triangle != MeshEdge::kNone && light_facing[triangle] != 0;
+  };
+  std::vector<std::vector<SilhouetteEdge>> parts((edges.size() + kChunk - 1) / kChunk);
+  for_each_chunk(edges.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const MeshEdge& edge = edges[i];
+      const bool forward = faces(edge.forward);
+      if (forward == faces(edge.backward)) continue;
+      parts[chunk].push_back(forward ? SilhouetteEdge{edge.low, edge.high}
+                                     : SilhouetteEdge{edge.high, edge.low});
+    }
   });
   std::vector<SilhouetteEdge> boundary;
-  for (std::size_t i = 0; i < edges.size();) {
-    if (i + 1 < edges.size() && edges[i].undirected == edges[i + 1].undirected) {
-      i += 2;
-    } else {
-      boundary.push_back({edges[i].begin, edges[i].end});
-      ++i;
-    }
-  }
+  for (const auto& part : parts) boundary.insert(boundary.end(), part.begin(), part.end());
   return boundary;
 }
 
-}  // namespace
-
-Silhouette find_silhouette(const Mesh& mesh, const glm::dvec3& from) {
-  std::vector<bool> light_facing;
-  light_facing.reserve(mesh.triangles.size());
-  for (const auto& corner : mesh.triangles) {
-    const glm::dvec3& p = mesh.positions[corner[0]];
-    const glm::dvec3 normal =
-        glm::cross(mesh.positions[corner[1]] - p, mesh.positions[corner[2]] - p);
-    light_facing.push_back(glm::dot(normal, from - p) > 0.0);
+// The edges that leave each vertex, in their order.
+class Leaving {
+ public:
+  explicit Leaving(const std::vector<SilhouetteEdge>& edges) : edges_(edges), order_(edges.size()) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::ranges::sort(order_, [&](std::size_t a, std::size_t b) {
+      return edges[a].begin != edges[b].begin ? edges[a].begin < edges[b].begin : a < b;
+    });
   }
-  return find_outline(mesh, std::move(light_facing));
-}
+  // The first unused one, or the number of edges.
+  std::size_t first_unused(std::uint32_t vertex, const std::vector<bool>& used) const {
+    auto at = std::ranges::lower_bound(order_, vertex, {},
+                                       [&](std::size_t i) { return edges_[i].begin; });
+    for (; at != order_.end() && edges_[*at].begin == vertex; ++at) {
+      if (!used[*at]) return *at;
+    }
+    return edges_.size();
+  }
 
-Silhouette find_outline(const Mesh& mesh, std::vector<bool> inside) {
-  Silhouette silhouette;
-  silhouette.light_facing = std::move(inside);
-  const std::vector<SilhouetteEdge> edges = boundary_of(mesh, silhouette.light_facing);
-  std::unordered_multimap<std::uint32_t, std::size_t> leaving;  // by begin vertex
-  for (std::size_t i = edges.size(); i-- > 0;) leaving.emplace(edges[i].begin, i);
+ private:
+  const std::vector<SilhouetteEdge>& edges_;
+  std::vector<std::size_t> order_;
+};
+
+std::vector<std::vector<SilhouetteEdge>> loops_of(const std::vector<SilhouetteEdge>& edges) {
+  const Leaving leaving(edges);
+  std::vector<std::vector<SilhouetteEdge>> loops;
   std::vector<bool> used(edges.size(), false);
   for (std::size_t start = 0; start < edges.size(); ++start) {
     if (used[start]) continue;
@@ -69,19 +93,28 @@ Silhouette find_outline(const Mesh& mesh, std::vector<bool> inside) {
     while (!used[at]) {
       used[at] = true;
       loop.push_back(edges[at]);
-      // The lowest unused edge that leaves this end; none is left when the loop closes.
-      std::size_t next = edges.size();
-      const auto [first, last] = leaving.equal_range(edges[at].end);
-      for (auto it = first; it != last; ++it) {
-        if (!used[it->second]) next = std::min(next, it->second);
-      }
+      if (edges[at].end == loop.front().begin) break;  // closed, at a vertex of whatever degree
+      const std::size_t next = leaving.first_unused(edges[at].end, used);
       if (next == edges.size()) break;
-      if (edges[at].end == loop.front().begin) break;  // closed at a vertex of higher degree
       at = next;
     }
     CHECK_EQ(loop.back().end, loop.front().begin);
-    silhouette.loops.push_back(std::move(loop));
+    loops.push_back(std::move(loop));
   }
+  return loops;
+}
+
+}  // namespace
+
+Silhouette find_silhouette(const Mesh& mesh, const glm::dvec3& from) {
+  return find_outline(mesh, facing(mesh, from));
+}
+
+Silhouette find_outline(const Mesh& mesh, std::vector<std::uint8_t> inside) {
+  Silhouette silhouette;
+  silhouette.light_facing = std::move(inside);
+  silhouette.loops = loops_of(
+      boundary_of(mesh.edges.empty() ? mesh_edges(mesh) : mesh.edges, silhouette.light_facing));
   return silhouette;
 }
 

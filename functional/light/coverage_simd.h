@@ -104,7 +104,7 @@ struct RectangleShare {
   static constexpr std::size_t kForms = 6;
   static constexpr std::size_t kChannels = 1;
 
-  HWY_INLINE M operator()(const V* forms, const float*, M inner, V* shares) const {
+  HWY_INLINE M operator()(const V* forms, const ScreenWedge&, M inner, V* shares, M&) const {
     const V zero = hn::Zero(kTag);
     const SeenEdge seen = see_edge(forms);
     if (hn::AllFalse(kTag, seen.alive)) return seen.alive;
@@ -151,7 +151,8 @@ struct SphereShare {
   static constexpr std::size_t kForms = 7;
   static constexpr std::size_t kChannels = 1;
 
-  HWY_INLINE M operator()(const V* forms, const float* constants, M inner, V* shares) const {
+  HWY_INLINE M operator()(const V* forms, const ScreenWedge& wedge, M inner, V* shares, M&) const {
+    const auto& constants = wedge.constants;
     const V zero = hn::Zero(kTag);
     const V one = set(1.0F);
     const V along = forms[0];

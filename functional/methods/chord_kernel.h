@@ -22,4 +22,9 @@ DrawRow chord_kernel(ChordLookup lookup, int channels);
 DrawRow short_chord_kernel(ChordLookup lookup);
 DrawRow short_coverage_kernel(LightShape shape);
 
+/// The same for words over four 8-bit components (split_word.h): 9 channels, of what wedges add the
+/// four components, in 1/256, of what they take the four, and the umbra alone.
+DrawRow split_chord_kernel(ChordLookup lookup);
+DrawRow split_coverage_kernel(LightShape shape);
+
 }  // namespace wedgesim::functional

@@ -28,7 +28,7 @@ void add_lit(const std::vector<float>& words, float weight, std::vector<float>& 
 }
 
 Visibility render_hard(const MethodInput& input, const MethodOptions& options) {
-  const VolumeOptions volumes{.z = read_z(options)};
+  const VolumeOptions volumes{.volumes = {.z = read_z(options)}};
   options.check_all_known();
   Visibility result;
   VolumePass pass(input, result);
@@ -53,7 +53,7 @@ glm::dvec3 middle_of_casters(const Scene& scene) {
 
 Visibility render_sampled(const MethodInput& input, const MethodOptions& options) {
   const int count = options.integer("samples", 64, 1, 1024);
-  const VolumeOptions volumes{.z = read_z(options)};
+  const VolumeOptions volumes{.volumes = {.z = read_z(options)}};
   options.check_all_known();
   Visibility result;
   VolumePass pass(input, result);

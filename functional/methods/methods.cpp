@@ -13,6 +13,8 @@
 #include "functional/methods/renderer.h"
 #include "functional/methods/silhouette_rings.h"
 #include "functional/methods/ssv.h"
+#include "functional/methods/ssv_optimized.h"
+#include "functional/methods/wedges_linear.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -46,9 +48,9 @@ std::size_t digits_begin(std::string_view name) {
 
 std::span<const Method> methods() {
   static const std::array all{
-      // One a line, in the order of the papers.
-      kHard,    kSampled,         kRaytraced,       kSsv, kCoverage, kLinear,
-      kDBuffer, kOcclusionCamera, kSilhouetteRings,
+      // In the order of the papers.
+      kHard,         kSampled,  kRaytraced, kWedge2002, kWedgeRestructured, kSsv,
+      kSsvOptimized, kCoverage, kLinear,    kDBuffer,   kOcclusionCamera,   kSilhouetteRings,
   };
   return all;
 }

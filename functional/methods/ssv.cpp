@@ -103,7 +103,7 @@ std::vector<float> merged(const std::vector<float>& planes) {
 
 Visibility render(const MethodInput& input, const MethodOptions& options) {
   const VolumeOptions volumes{
-      .z = read_z(options),
+      .volumes = {.z = read_z(options)},
       .cull = options.choice<bool>("cull", {{"tiles", true}, {"none", false}})};
   const SsvOptions own = read_ssv_options(options);
   options.check_all_known();

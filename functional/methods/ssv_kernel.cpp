@@ -6,6 +6,7 @@
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 // After it:
 #include "functional/light/coverage_simd.h"
+#include "functional/light/linear_simd.h"
 #include "functional/raster/volume_simd.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,6 +21,12 @@ void draw_rectangle(const VolumeFrame& frame, VolumeRow& row) {
 void draw_sphere(const VolumeFrame& frame, VolumeRow& row) {
   draw_row_by(SphereShare(), frame, row);
 }
+void draw_entry_exit(bool cubic, const VolumeFrame& frame, VolumeRow& row) {
+  draw_row_by(EntryExitShare{cubic}, frame, row);
+}
+void draw_restructured(bool cubic, const VolumeFrame& frame, VolumeRow& row) {
+  draw_row_by(RestructuredShare{cubic}, frame, row);
+}
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
@@ -33,6 +40,8 @@ namespace {
 HWY_EXPORT(draw_hard);
 HWY_EXPORT(draw_rectangle);
 HWY_EXPORT(draw_sphere);
+HWY_EXPORT(draw_entry_exit);
+HWY_EXPORT(draw_restructured);
 }  // namespace
 
 DrawRow hard_kernel() {
@@ -55,6 +64,18 @@ DrawRow coverage_kernel(LightShape shape) {
       break;
   }
   return hard_kernel();
+}
+
+DrawRow entry_exit_kernel(bool cubic) {
+  return [cubic](const VolumeFrame& frame, VolumeRow& row) {
+    HWY_DYNAMIC_DISPATCH(draw_entry_exit)(cubic, frame, row);
+  };
+}
+
+DrawRow restructured_kernel(bool cubic) {
+  return [cubic](const VolumeFrame& frame, VolumeRow& row) {
+    HWY_DYNAMIC_DISPATCH(draw_restructured)(cubic, frame, row);
+  };
 }
 
 }  // namespace wedgesim::functional

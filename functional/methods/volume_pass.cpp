@@ -25,14 +25,23 @@ VolumePass::VolumePass(const MethodInput& input, Visibility& result)
 
 std::vector<float> VolumePass::draw(const Light& light, const VolumeOptions& options,
                                     const DrawRow& draw_row, int channels) {
+  const Build build = [&](const Scene& scene, const Window& window, const Light& from,
+                          const std::vector<ShadowCaster>& casters) {
+    return build_volumes(scene, window, from, casters, options.volumes);
+  };
+  return draw(light, build, options.cull, options.volumes.by_groups, draw_row, channels);
+}
+
+std::vector<float> VolumePass::draw(const Light& light, const Build& build, bool cull,
+                                    bool merge_groups, const DrawRow& draw_row, int channels) {
   if (light.shape != LightShape::point && !has_extent(light)) {
     throw InputError(input_.scene.place, "the light has no extent", "a point light");
   }
   const std::vector<ShadowCaster> casters = find_casters(scene(), light);
   stopwatch_.end("silhouettes");
-  const std::vector<ScreenSide> sides = build_volumes(scene(), window_, light, casters, options.z);
+  const std::vector<ScreenSide> sides = build(scene(), window_, light, casters);
   stopwatch_.end("volumes");
-  DrawnVolumes drawn = draw_volumes({tiles_, sides, options.cull}, draw_row, channels);
+  DrawnVolumes drawn = draw_volumes({tiles_, sides, cull, merge_groups}, draw_row, channels);
   result_.accesses.z_reads += drawn.accesses.z_reads;
   result_.accesses.li_reads += drawn.accesses.light_reads;
   result_.accesses.li_writes += drawn.accesses.light_writes;

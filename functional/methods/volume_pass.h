@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,7 +12,7 @@
 namespace wedgesim::functional {
 
 struct VolumeOptions {
-  ZChoice z = ZChoice::automatic;
+  VolumeChoices volumes;
   bool cull = true;  // wedges by tiles
 };
 /// The option z=auto|pass|fail.
@@ -31,6 +32,12 @@ class VolumePass {
   /// \throws InputError if the light touches a caster, or has a shape but no extent
   std::vector<float> draw(const Light& light, const VolumeOptions& options, const DrawRow& draw_row,
                           int channels = 1);
+  /// The same with the volumes that build(scene, window, light, casters) gives.
+  using Build = std::function<std::vector<ScreenSide>(const Scene& scene, const Window& window,
+                                                      const Light& light,
+                                                      const std::vector<ShadowCaster>& casters)>;
+  std::vector<float> draw(const Light& light, const Build& build, bool cull, bool merge_groups,
+                          const DrawRow& draw_row, int channels);
 
   /// Ends a stage of the method's own.
   void end(std::string_view stage) { stopwatch_.end(stage); }

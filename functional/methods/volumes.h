@@ -14,6 +14,12 @@ namespace wedgesim::functional {
 /// them for all.
 enum class ZChoice { automatic, pass, fail };
 
+struct VolumeChoices {
+  ZChoice z = ZChoice::automatic;
+  bool tight_wedges = true;  // else those of Paper III where they reach (loose_wedge.h)
+  bool by_groups = false;    // sides sorted by the loops that shadow together (loop_groups.h)
+};
+
 /// A caster as a light's centre sees it.
 struct ShadowCaster {
   const Mesh* mesh = nullptr;
@@ -25,10 +31,18 @@ struct ShadowCaster {
 /// \throws InputError if the light touches a caster or its penumbra spans a half-space
 std::vector<ShadowCaster> find_casters(const Scene& scene, const Light& light);
 
+/// Whether the eye sees the light's centre through a light-facing triangle.
+bool eye_in_umbra(const ShadowCaster& caster, const glm::dvec3& light_centre,
+                  const glm::dvec3& eye);
+
+/// \throws InputError always: z-pass is wrong for this caster
+[[noreturn]] void refuse_z_pass(const Mesh& mesh);
+
 /// Shadow volumes on the screen: the umbra polygons of all silhouette edges, each with the coverage
 /// wedge (wedge.h) of a light with extent; caps and bottoms where z-fail needs them.
 /// \throws InputError if z-pass is asked for where it is wrong
 std::vector<ScreenSide> build_volumes(const Scene& scene, const Window& window, const Light& light,
-                                      const std::vector<ShadowCaster>& casters, ZChoice z);
+                                      const std::vector<ShadowCaster>& casters,
+                                      const VolumeChoices& choices);
 
 }  // namespace wedgesim::functional

@@ -43,6 +43,7 @@ struct ScreenSide {
   ScreenWedge wedge;
   int y_begin = 0;  // rows that either may touch
   int y_end = 0;
+  std::uint32_t group = 0;  // of silhouette loops that shadow together
 };
 
 }  // namespace wedgesim::functional

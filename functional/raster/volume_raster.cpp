@@ -3,6 +3,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
+
+#include "base/check.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -39,6 +42,24 @@ VolumeAccesses& VolumeAccesses::operator+=(const VolumeAccesses& other) {
   return *this;
 }
 
+void merge_group(const DepthTiles& tiles, VolumeRow& row) {
+  for (int column = 0; column < tiles.columns(); ++column) {
+    const auto c = static_cast<std::size_t>(column);
+    if (row.touched[c] == 0) continue;
+    row.touched[c] = 0;
+    for (std::size_t i = c * kTilePixels; i < (c + 1) * kTilePixels; ++i) {
+      const float hidden = std::clamp(1.0F - row.words[i], 0.0F, 1.0F);
+      const float before = row.merged[i];
+      row.merged[i] = std::max(hidden, before) + 0.5F * std::min(hidden, before);
+      row.words[i] = 1.0F;
+    }
+    const auto pixels =
+        static_cast<std::uint64_t>(std::popcount(tiles.tile(column, row.row).surface));
+    row.accesses.light_reads += 2 * pixels;
+    row.accesses.light_writes += 2 * pixels;
+  }
+}
+
 DrawnVolumes draw_volumes(const VolumeFrame& frame, const DrawRow& draw_row, int channels) {
   const DepthTiles& tiles = frame.tiles;
   const auto pixels =
@@ -52,7 +73,17 @@ DrawnVolumes draw_volumes(const VolumeFrame& frame, const DrawRow& draw_row, int
     row.words.assign(static_cast<std::size_t>(channels) *
                          static_cast<std::size_t>(tiles.columns()) * kTilePixels,
                      1.0F);
+    if (frame.merge_groups) {
+      CHECK_EQ(channels, 1);
+      row.merged.assign(row.words.size(), 0.0F);
+      row.touched.assign(static_cast<std::size_t>(tiles.columns()), 0);
+    }
     draw_row(frame, row);
+    if (frame.merge_groups) {
+      merge_group(tiles, row);
+      std::ranges::transform(row.merged, row.words.begin(),
+                             [](float hidden) { return 1.0F - hidden; });
+    }
     store(tiles, row, channels, drawn.values);
     accesses[static_cast<std::size_t>(index)] = row.accesses;
   });

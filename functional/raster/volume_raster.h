@@ -24,6 +24,10 @@ struct VolumeFrame {
   const DepthTiles& tiles;
   std::span<const ScreenSide> sides;
   bool cull = true;  // wedges by tiles; else every tile that a wedge's outline touches is visited
+  /// The sides come group by group, and each group's shadow is merged into that of the groups
+  /// before it as if half of the smaller lay in the larger (Paper IV, 5.1); else all shadows add
+  /// up.
+  bool merge_groups = false;
 };
 
 /// A row of tiles of one drawing: the light words of its pixels, channel by channel, each
@@ -32,7 +36,12 @@ struct VolumeRow {
   int row = 0;
   std::vector<float> words;
   VolumeAccesses accesses;
+  std::vector<float> merged;          // as words: what the groups merged so far hide
+  std::vector<std::uint8_t> touched;  // columns that the group at hand has touched
 };
+
+/// Merges what the group at hand hides and sets its words back to 1.
+void merge_group(const DepthTiles& tiles, VolumeRow& row);
 
 /// Draws one row of tiles: draw_row_by of volume_simd.h, with the share that a wedge adds.
 using DrawRow = std::function<void(const VolumeFrame& frame, VolumeRow& row)>;

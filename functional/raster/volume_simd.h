@@ -140,20 +140,25 @@ HWY_INLINE void add_to(float* words, std::uint64_t bits, float value) {
   }
 }
 
-// Adds a wedge's shares at the pixels of a tile; gives the pixels that got one.
+// Pixels of a tile.
+struct Visited {
+  std::uint64_t read = 0, written = 0;
+};
+
+// Adds a wedge's shares at the pixels of a tile.
 //
 // A Share says what a wedge adds:
 //   kForms, kChannels           window forms it wants, values it gives
-//   operator()(forms, constants, inner, shares) -> M
-//                               shares[channel] at a vector of points; the lanes that count
+//   operator()(forms, wedge, inner, shares, read) -> M
+//                               shares[channel] at a vector of points; the lanes that count, and in
+//                               `read` those whose depth is read: all, unless it says otherwise
 template <typename Share>
-HWY_INLINE std::uint64_t add_wedge(const Share& share, const ScreenWedge& wedge,
-                                   std::uint64_t inner, const TileHere& here, float* words,
-                                   std::size_t channel_stride) {
+HWY_INLINE Visited add_wedge(const Share& share, const ScreenWedge& wedge, std::uint64_t inner,
+                             const TileHere& here, float* words, std::size_t channel_stride) {
   TileForm placed[Share::kForms];
   for (std::size_t i = 0; i < Share::kForms; ++i) placed[i].place(wedge.forms[i], here);
   const std::uint64_t surface = here.tile->surface;
-  std::uint64_t written = 0;
+  Visited visited;
   for (std::size_t k = 0; k < kTilePixels; k += kLanes) {
     const V dx = here.dx(k);
     const V dy = here.dy(k);
@@ -161,17 +166,19 @@ HWY_INLINE std::uint64_t add_wedge(const Share& share, const ScreenWedge& wedge,
     V forms[Share::kForms];
     for (std::size_t i = 0; i < Share::kForms; ++i) forms[i] = placed[i].value(dx, dy, dz);
     V shares[Share::kChannels];
-    const M counts = hn::And(share(forms, wedge.constants.data(), mask_of(inner >> k), shares),
-                             mask_of(surface >> k));
+    M read = hn::Eq(dx, dx);
+    const M counts =
+        hn::And(share(forms, wedge, mask_of(inner >> k), shares, read), mask_of(surface >> k));
+    visited.read |= bits_of(hn::And(read, mask_of(surface >> k))) << k;
     if (hn::AllFalse(kTag, counts)) continue;
-    written |= bits_of(counts) << k;
+    visited.written |= bits_of(counts) << k;
     for (std::size_t c = 0; c < Share::kChannels; ++c) {
       float* word = words + c * channel_stride + k;
       const V sum = hn::Add(hn::LoadU(kTag, word), hn::IfThenElseZero(counts, shares[c]));
       hn::StoreU(sum, kTag, word);
     }
   }
-  return written;
+  return visited;
 }
 
 HWY_INLINE std::uint64_t count_bits(std::uint64_t bits) {
@@ -203,11 +210,11 @@ HWY_INLINE void draw_tile(const Share& share, const ScreenSide& side, std::uint6
   }
   if constexpr (Share::kForms > 0) {
     if (!wedge) return;
-    const std::uint64_t written = add_wedge(share, side.wedge, inner, here, words, channel_stride);
-    row.accesses.z_reads += count_bits(here.tile->surface & ~covered);
-    row.accesses.shares += count_bits(written);
-    row.accesses.light_reads += count_bits(written) * Share::kChannels;
-    row.accesses.light_writes += count_bits(written) * Share::kChannels;
+    const Visited visited = add_wedge(share, side.wedge, inner, here, words, channel_stride);
+    row.accesses.z_reads += count_bits(visited.read & ~covered);
+    row.accesses.shares += count_bits(visited.written);
+    row.accesses.light_reads += count_bits(visited.written) * Share::kChannels;
+    row.accesses.light_writes += count_bits(visited.written) * Share::kChannels;
   }
 }
 
@@ -217,7 +224,12 @@ void draw_row_by(const Share& share, const VolumeFrame& frame, VolumeRow& row) {
   const DepthTiles& tiles = frame.tiles;
   const std::size_t channel_stride = static_cast<std::size_t>(tiles.columns()) * kTilePixels;
   const int y_begin = kTile * row.row;
+  std::uint32_t group = 0;
   for (const ScreenSide& side : frame.sides) {
+    if (frame.merge_groups && side.group != group) {
+      merge_group(tiles, row);
+      group = side.group;
+    }
     if (side.y_begin >= y_begin + kTile || side.y_end <= y_begin) continue;
     const SideRows rows =
         side_rows(side, tiles.width(), tiles.height(), row.row, true, Share::kForms > 0);
@@ -232,6 +244,7 @@ void draw_row_by(const Share& share, const VolumeFrame& frame, VolumeRow& row) {
       if (covered == 0 && !wedge) continue;
       const TileHere here{kTile * column + 0.5 * kTile, y_begin + 0.5 * kTile, &tile,
                           tiles.depths(column, row.row)};
+      if (frame.merge_groups) row.touched[static_cast<std::size_t>(column)] = 1;
       draw_tile(share, side, covered, wedge, column, here, channel_stride, row);
     }
   }

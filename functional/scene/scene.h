@@ -12,11 +12,21 @@
 
 namespace wedgesim::functional {
 
+/// An edge between two vertices and the triangles that run along it from the lower to the higher
+/// and back.
+struct MeshEdge {
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+  std::uint32_t low = 0, high = 0;
+  std::uint32_t forward = kNone, backward = kNone;
+};
+
 /// Triangles over shared vertices; counter-clockwise seen from outside.
 struct Mesh {
   std::string name;
   std::vector<glm::dvec3> positions;                    // world units
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into positions
+  /// Of a caster that was read: mesh_edges of its triangles, which do not change. Else none.
+  std::vector<MeshEdge> edges;
 };
 
 /// A mesh in the world. Every object receives shadows; a caster must be a closed two-manifold.

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "functional/scene/manifold.h"
+#include "functional/scene/mesh_edges.h"
 #include "functional/scene/repair.h"
 #include "functional/scene/scene_file.h"
 #include "functional/scene/transform.h"
@@ -26,6 +27,7 @@ Mesh closed(const Mesh& mesh, bool repair, const std::string& place,
     }
   }
   require_closed(caster, place, was_repaired ? " even after repair" : "");
+  caster.edges = mesh_edges(caster);
   return caster;
 }
 

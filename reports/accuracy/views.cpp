@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/toml_table.h"
+#include "functional/scene/mesh_edges.h"
 #include "functional/scene/primitives.h"
 
 namespace wedgesim::reports::accuracy {
@@ -31,12 +32,15 @@ Mesh torus_like(const Mesh& old, const std::array<int, 2>& segments) {
   const double scale = (high.x - low.x) / 2.9;
   for (glm::dvec3& p : torus.positions) p = scale * p + 0.5 * (low + high);
   torus.name = old.name;
+  torus.edges = functional::mesh_edges(torus);
   return torus;
 }
 
 // Each triangle into four by the middles of its edges.
 Mesh subdivided(const Mesh& mesh) {
-  Mesh fine{mesh.name, mesh.positions, {}};
+  Mesh fine;
+  fine.name = mesh.name;
+  fine.positions = mesh.positions;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
     const auto [entry, added] =
@@ -51,6 +55,7 @@ Mesh subdivided(const Mesh& mesh) {
     fine.triangles.insert(fine.triangles.end(),
                           {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
   }
+  fine.edges = functional::mesh_edges(fine);
   return fine;
 }
 

@@ -133,8 +133,8 @@ TEST(LightCells, AreSpreadEvenlyOverTheLight) {
     sum += p;
   }
   EXPECT_NEAR(glm::length(sum), 0.0, 1e-9);
-  EXPECT_EQ(light_parts(Light{.half_u = {1, 0, 0}, .half_v = {0, 1, 0}}, 2)[3].centre,
-            glm::dvec3(0.5, 0.5, 0.0));
+  light.shape = LightShape::rectangle;
+  EXPECT_EQ(light_parts(light, 2)[3].centre, glm::dvec3(0.25, 0.0, 1.0));
 }
 
 }  // namespace

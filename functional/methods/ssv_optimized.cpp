@@ -1,0 +1,153 @@
+#include "functional/methods/ssv_optimized.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/error.h"
+#include "functional/light/light_cells.h"
+#include "functional/light/shader_tables.h"
+#include "functional/light/split_word.h"
+#include "functional/methods/chord_kernel.h"
+#include "functional/methods/ssv_kernel.h"
+#include "functional/methods/volume_pass.h"
+
+namespace wedgesim::functional {
+namespace {
+
+VolumeOptions read_volume_options(const MethodOptions& options) {
+  return {
+      .volumes = {.z = read_z(options),
+                  .tight_wedges =
+                      options.choice<bool>("wedges", {{"tight", true}, {"loose", false}}),
+                  .by_groups = options.choice<bool>("overlap", {{"sum", false}, {"loops", true}})},
+      .cull = options.choice<bool>("cull", {{"tiles", true}, {"none", false}})};
+}
+
+enum class Words { float32, split };
+
+struct Shading {
+  bool tables = false;  // the shader's table lookups (shader_tables.h) for exact clipping
+  Words words = Words::float32;
+};
+
+// What a pixel's words over four components say: what is added and what is taken, each component up
+// to 255, and the umbra.
+std::vector<float> merged(const std::vector<float>& planes) {
+  const std::size_t pixels = planes.size() / 9;
+  std::vector<float> values(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const float umbra = planes[8 * pixels + i];
+    float sum = 0.0F;
+    for (std::size_t half = 0; half < 2; ++half) {
+      float word = 0.0F;
+      for (std::size_t c = 0; c < 4; ++c) {
+        const float blended = 256.0F * (planes[(4 * half + c) * pixels + i] - umbra);
+        word = 8.0F * word + std::min(255.0F, blended);
+      }
+      sum += half == 0 ? word : -word;
+    }
+    values[i] = umbra + sum / static_cast<float>(SplitWord::kWhole);
+  }
+  return values;
+}
+
+DrawRow make_kernel(const Light& light, const Shading& shading) {
+  if (light.shape == LightShape::point) return hard_kernel();
+  if (!shading.tables) {
+    return shading.words == Words::split ? split_coverage_kernel(light.shape)
+                                         : coverage_kernel(light.shape);
+  }
+  ChordLookup lookup = [](const glm::dvec2& p, const glm::dvec2& q) {
+    static const SectorTable table = SectorTable::square();
+    return std::array{table.coverage(glm::vec2(p), glm::vec2(q)), 0.0F, 0.0F};
+  };
+  return shading.words == Words::split ? split_chord_kernel(std::move(lookup))
+                                       : chord_kernel(std::move(lookup), 1);
+}
+
+void refuse_what_is_not_treated(const Scene& scene, const VolumeOptions& volumes,
+                                const Shading& shading, int split) {
+  const bool rectangle = scene.light.shape == LightShape::rectangle;
+  if (split > 1 && !rectangle) {
+    throw InputError(scene.place, "only a rectangular light can be split", "split=1");
+  }
+  if (shading.tables && !rectangle) {
+    throw InputError(scene.place, "the shader's table here is that of a rectangular light",
+                     "shader=exact");
+  }
+  if (shading.words == Words::split && volumes.volumes.by_groups) {
+    throw InputError(scene.place, "the overlap heuristic merges whole words", "vbuffer=float");
+  }
+  if (scene.light.texture) {
+    throw InputError(scene.place, "the light has a texture", "method ssv");
+  }
+}
+
+Visibility render(const MethodInput& input, const MethodOptions& options) {
+  const VolumeOptions volumes = read_volume_options(options);
+  const int split = options.integer("split", 1, 1, 4);
+  const Shading shading{
+      .tables = options.choice<bool>("shader", {{"exact", false}, {"tables", true}}),
+      .words =
+          options.choice<Words>("vbuffer", {{"float", Words::float32}, {"12bit", Words::split}})};
+  options.check_all_known();
+  refuse_what_is_not_treated(input.scene, volumes, shading, split);
+  Visibility result;
+  VolumePass pass(input, result);
+  const Light& light = pass.scene().light;
+  const bool words = shading.words == Words::split && light.shape != LightShape::point;
+  const DrawRow kernel = make_kernel(light, shading);
+  const auto draw = [&](const Light& part) {
+    return words ? merged(pass.draw(part, volumes, kernel, 9)) : pass.draw(part, volumes, kernel);
+  };
+  MethodAccesses& accesses = result.accesses;
+  if (split == 1) {
+    result.values = draw(light);
+  } else {
+    // Each part has a silhouette of its own and lights what it lights, no less than nothing.
+    result.values.resize(input.depth.words.size());
+    const std::vector<Light> parts = light_parts(light, split);
+    const float share = 1.0F / static_cast<float>(parts.size());
+    for (const Light& part : parts) {
+      const std::vector<float> values = draw(part);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        result.values[i] += share * std::clamp(values[i], 0.0F, 1.0F);
+      }
+    }
+  }
+  if (words) {  // four components are one word
+    accesses.li_reads /= 9;
+    accesses.li_writes /= 9;
+  }
+  if (split > 1) {
+    const std::uint64_t merges = static_cast<std::uint64_t>(split * split) * result.values.size();
+    accesses.li_reads += 2 * merges;
+    accesses.li_writes += merges;
+  }
+  accesses.bytes = 4 * (accesses.z_reads + accesses.li_reads + accesses.li_writes);
+  if (shading.tables) {
+    accesses.map_reads = 3 * pass.shares();  // two angles, one area
+    accesses.bytes += 5 * pass.shares();
+  }
+  return result;
+}
+
+constexpr std::array<std::string_view, 4> kCompared{
+    "ssv-optimized:shader=tables,vbuffer=12bit", "ssv-optimized:overlap=loops",
+    "ssv-optimized:split=2", "ssv-optimized:split=4"};
+constexpr std::array<std::string_view, 2> kArtifacts{"single-silhouette", "object-overlap"};
+
+}  // namespace
+
+const Method kSsvOptimized{
+    .name = "ssv-optimized",
+    .summary = "Soft shadow volumes: tight wedges, overlap heuristic, light splitting",
+    .source = "Paper IV, 4 and 5",
+    .options =
+        "split=1…4, overlap=sum|loops, wedges=tight|loose, cull=tiles|none, z=auto|pass|fail",
+    .compared = kCompared,
+    .artifacts = kArtifacts,
+    .render = render};
+
+}  // namespace wedgesim::functional
