@@ -15,9 +15,8 @@ namespace wedgesim::reports::accuracy {
 namespace {
 
 constexpr double kLeast = 1e-6;    // smaller errors are drawn here
-constexpr double kWidth = 290.0;   // of a narrow chart's plot, pixels: what fits there fits in all
+constexpr double kWidth = 270.0;   // of a narrow chart's plot, pixels: what fits there fits in all
 constexpr double kHeight = 200.0;  // likewise
-constexpr double kMargin = 14.0;   // between the outermost marks and the plot's edge, pixels
 
 /// What a scatter shows errors over.
 struct Axis {
@@ -68,7 +67,7 @@ Json rows_of(const SceneResult& result, const Axis& axis, const std::vector<std:
 void add_label_sides(Json& rows, const Range& x, const Range& y) {
   std::vector<LabelledMark> marks;
   for (const Json& row : rows) {
-    marks.push_back({kMargin + x.share(row["x"].get<double>()) * (kWidth - 2.0 * kMargin),
+    marks.push_back({x.share(row["x"].get<double>()) * kWidth,
                      (1.0 - y.share(row["y"].get<double>())) * kHeight,
                      row["case"].get<std::string>(), row["front"].get<bool>()});
   }
@@ -81,6 +80,7 @@ void add_label_sides(Json& rows, const Range& x, const Range& y) {
 Json scaled(Json channel, const Range& range) {
   channel["scale"]["domain"] = {range.low, range.high};
   channel["scale"]["nice"] = false;
+  channel["axis"]["labelSeparation"] = 5;
   return channel;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "reports/accuracy/equal_error.h"
 #include "reports/accuracy/published.h"
 
 namespace wedgesim::reports::accuracy {
@@ -32,7 +33,7 @@ Json to_json(const Timing& timing) {
           {"peak_bytes", timing.peak_bytes}};
 }
 
-Json to_json(const Measured& measured) {
+Json to_json(const Measured& measured, const SceneResult& scene) {
   const functional::Method& method = *measured.choice.method;
   Json json{{"choice", measured.choice.text},
             {"method", method.name},
@@ -46,6 +47,12 @@ Json to_json(const Measured& measured) {
   }
   json["accesses"] = to_json(measured.accesses);
   json["timing"] = to_json(measured.timing);
+  json["timing"]["raytraced_ms"] = nullptr;
+  json["timing"]["raytraced_extrapolated"] = nullptr;
+  if (const auto rays = ray_traced_like(scene.methods, measured)) {
+    json["timing"]["raytraced_ms"] = 1e3 * rays->seconds;
+    json["timing"]["raytraced_extrapolated"] = rays->extrapolated;
+  }
   return json;
 }
 
@@ -71,7 +78,9 @@ Json to_json(const SceneResult& result, const Wish* wish) {
             {"light", name_of(scene.light.shape)},
             {"lights", result.reference.size()},
             {"methods", Json::array()}};
-  for (const Measured& measured : result.methods) json["methods"].push_back(to_json(measured));
+  for (const Measured& measured : result.methods) {
+    json["methods"].push_back(to_json(measured, result));
+  }
   Json front = Json::array();
   for (const std::size_t i : pareto_front(result.methods)) {
     front.push_back(result.methods[i].choice.text);

@@ -18,7 +18,6 @@
 namespace wedgesim::reports::accuracy {
 namespace {
 
-using page::element;
 using page::escape;
 
 std::string summary_html(const Report& report, const std::vector<std::string>& labels) {
@@ -41,6 +40,16 @@ std::string summary_html(const Report& report, const std::vector<std::string>& l
     html += "</li>\n";
   }
   return html + "</ol>\n</div>\n</div>\n";
+}
+
+// A choice may be broken after its name and between its options.
+std::string breakable(const std::string& choice) {
+  std::string html;
+  for (const char c : escape(choice)) {
+    html += c;
+    if (c == ':' || c == ',') html += "<wbr>";
+  }
+  return html;
 }
 
 std::string table_html(const SceneResult& result) {
@@ -77,7 +86,7 @@ std::string table_html(const SceneResult& result) {
     html += on_front ? "<tr class=\"front\">" : "<tr>";
     for (std::size_t k = 0; k < cells.size(); ++k) {
       html += columns()[k].number ? "<td class=\"number\">" + escape(cells[k]) + "</td>"
-                                  : element("td", cells[k]);
+                                  : "<td>" + breakable(cells[k]) + "</td>";
     }
     html += "</tr>\n";
   }

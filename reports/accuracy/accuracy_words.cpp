@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "reports/accuracy/accuracy_charts.h"
+#include "reports/accuracy/equal_error.h"
 #include "reports/accuracy/recommend.h"
 #include "reports/page/caption.h"
+#include "reports/page/names.h"
 
 namespace wedgesim::reports::accuracy {
 namespace {
@@ -26,19 +28,43 @@ std::string good_words(const SceneResult& result) {
   return fmt::format("Fastest with an RMSE of at most {:g}: {}.", kGoodError, with_numbers(good));
 }
 
+std::string between_words(std::size_t count) {
+  return count == 0 ? std::string() : fmt::format("; {} more between them on the front", count);
+}
+
+// The choice that ray tracing takes longest for, compared with its own time.
+std::string ray_words(const SceneResult& result) {
+  const Measured* best = nullptr;
+  RayTraced rays;
+  double most = 0.0;
+  for (const Measured& measured : result.methods) {
+    const std::optional<RayTraced> found = ray_traced_like(result.methods, measured);
+    if (!found || error_of(measured) > kGoodError) continue;
+    const double ratio = found->seconds / seconds_of(measured);
+    if (ratio <= most) continue;
+    best = &measured;
+    rays = *found;
+    most = ratio;
+  }
+  if (best == nullptr) return "";
+  return fmt::format("For the error of {} ray tracing takes {}, {} times as long{}.",
+                     best->choice.text, time_text(rays.seconds), page::number_text(most),
+                     rays.extrapolated ? " (extrapolated)" : "");
+}
+
 }  // namespace
 
 std::vector<std::string> finding_words(const SceneResult& result) {
   const std::vector<std::size_t> front = pareto_front(result.methods);
   if (front.empty()) return {"No choice renders the scene."};
   std::vector<std::string> words{good_words(result)};
+  const std::string rays = ray_words(result);
+  if (!rays.empty()) words.push_back(rays);
   const Measured& fastest = result.methods[front.front()];
   const Measured& best = result.methods[front.back()];
   if (front.size() > 1) {
-    words.push_back(
-        fmt::format("Fastest of all is {}, most exact {}; between them on the front {} "
-                    "more.",
-                    with_numbers(fastest), with_numbers(best), front.size() - 2));
+    words.push_back(fmt::format("Fastest of all is {}, most exact {}{}.", with_numbers(fastest),
+                                with_numbers(best), between_words(front.size() - 2)));
   } else {
     words.push_back(fmt::format("{} is both the fastest and the most exact.", with_numbers(best)));
   }

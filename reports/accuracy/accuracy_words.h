@@ -7,8 +7,8 @@
 
 namespace wedgesim::reports::accuracy {
 
-/// What a scene's results say, in sentences: its front, what is fastest under an error, what is
-/// most exact, what was refused.
+/// What a scene's results say, in sentences: its front, what is fastest under an error and what
+/// is most exact, and how much longer ray tracing takes for the same error.
 std::vector<std::string> finding_words(const SceneResult& result);
 
 /// Why the choices of a scene that were refused were: each reason once, with its choices.

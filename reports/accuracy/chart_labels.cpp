@@ -10,6 +10,7 @@ constexpr double kLetter = 6.2;  // width of one, pixels, at 11 pixels' height
 constexpr double kLine = 12.0;   // height of a label
 constexpr double kMark = 5.0;    // half the edge of a mark
 constexpr double kGap = 3.0;     // between mark and label
+constexpr double kStroke = 1.0;  // half the width of a line
 
 using Sides = std::array<Side, 4>;
 constexpr Sides kOnFront{Side::below, Side::left, Side::right, Side::above};
@@ -49,6 +50,12 @@ std::vector<std::optional<Side>> place_labels(const std::vector<LabelledMark>& m
                                               double height) {
   std::vector<Box> taken;
   for (const LabelledMark& mark : marks) taken.push_back(mark_box(mark));
+  for (std::size_t i = 0; i + 1 < marks.size() && marks[i + 1].on_front; ++i) {
+    const LabelledMark& a = marks[i];
+    const LabelledMark& b = marks[i + 1];
+    taken.push_back({a.x, a.y - kStroke, b.x, a.y + kStroke});
+    taken.push_back({b.x - kStroke, a.y, b.x + kStroke, b.y});
+  }
   std::vector<std::optional<Side>> sides;
   for (const LabelledMark& mark : marks) {
     std::optional<Side> found;

@@ -85,22 +85,35 @@ TEST_F(AccuracyPage, WordsAreMadeFromTheResults) {
   ASSERT_EQ(words.size(), 2U);
   EXPECT_EQ(words[0], "No choice has an RMSE of at most 0.01.");
   EXPECT_EQ(words[1], "Fastest of all is " + choice(0) + " (0.2000 in 1 ms), most exact " +
-                          choice(4) + " (0.0480 in 5.06 ms); between them on the front 2 more.");
+                          choice(4) + " (0.0480 in 5.06 ms); 2 more between them on the front.");
   EXPECT_EQ(error_text(0.0), "0.0000");
   EXPECT_EQ(error_text(4.2e-5), "4.2e-05");
 }
 
-TEST_F(AccuracyPage, LabelsCoverNeitherMarksNorEachOther) {
-  const std::vector<LabelledMark> marks{{100, 50, "first", true},
-                                        {100, 68, "second"},  // takes the place below
-                                        {100, 32, "third"},
-                                        {280, 50, "at the edge"}};
+TEST(ChartLabels, CoverNeitherMarksNorEachOther) {
+  const std::vector<LabelledMark> marks{{100, 50, "first"},
+                                        {130, 50, "in the way at the right"},
+                                        {280, 90, "at the edge"},
+                                        {150, 90, "before it"}};
   const auto sides = place_labels(marks, 300, 100);
-  EXPECT_EQ(sides[0], Side::left);
+  EXPECT_EQ(sides[0], Side::above);
   EXPECT_EQ(sides[1], Side::right);
-  EXPECT_EQ(sides[2], Side::right);
-  EXPECT_EQ(sides[3], Side::left);
+  EXPECT_EQ(sides[2], Side::left);
+  EXPECT_EQ(sides[3], Side::above);
   EXPECT_FALSE(place_labels({{50, 50, std::string(40, 'x')}}, 100, 100)[0].has_value());
+}
+
+TEST(ChartLabels, KeepOffTheFront) {
+  // A stair from (40, 20) to the right, down to (150, 80); two marks beside it.
+  const std::vector<LabelledMark> marks{{40, 20, "hard", true},
+                                        {150, 80, "ssv", true},
+                                        {120, 50, "left of the stair"},
+                                        {100, 27, "x"}};
+  const auto sides = place_labels(marks, 300, 110);
+  EXPECT_EQ(sides[0], Side::below);
+  EXPECT_EQ(sides[1], Side::below);
+  EXPECT_EQ(sides[2], Side::left);
+  EXPECT_EQ(sides[3], Side::right) << "above is the line";
 }
 
 }  // namespace
