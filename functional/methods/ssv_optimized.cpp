@@ -79,9 +79,6 @@ void refuse_what_is_not_treated(const Scene& scene, const VolumeOptions& volumes
   if (shading.words == Words::split && volumes.volumes.by_groups) {
     throw InputError(scene.place, "the overlap heuristic merges whole words", "vbuffer=float");
   }
-  if (scene.light.texture) {
-    throw InputError(scene.place, "the light has a texture", "method ssv");
-  }
 }
 
 Visibility render(const MethodInput& input, const MethodOptions& options) {
