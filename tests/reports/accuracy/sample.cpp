@@ -15,9 +15,8 @@ constexpr int kSkyRows = 8;
 std::vector<functional::MethodChoice> some_choices(std::size_t count) {
   std::vector<functional::MethodChoice> choices;
   for (const functional::Method& method : functional::methods()) {
-    for (const std::string_view text : method.compared) {
-      choices.push_back(functional::choose_method("sample", text));
-    }
+    if (method.compared.empty()) continue;
+    choices.push_back(functional::choose_method("sample", method.compared.front()));
   }
   for (int samples = 1; choices.size() < count; ++samples) {
     choices.push_back(functional::choose_method("sample", "raytraced-" + std::to_string(samples)));

@@ -8,7 +8,7 @@
 namespace wedgesim::reports::accuracy::tests {
 
 /// Made-up results of scenes of 60x40 pixels: a strip of sky above a floor with a round shadow,
-/// `choices` choices on each, first those that stand for the methods, then raytraced-N. Choice k is
+/// `choices` choices on each, first one of each method, then raytraced-N. Choice k is
 /// 1.5 times slower than the one before and 0.7 times as wrong, but for every third, which is
 /// slower and more wrong; it is too light by its error at the left and too dark at the right. The
 /// last choice is refused. Scene 0 and 1 have the same name; words hold HTML.

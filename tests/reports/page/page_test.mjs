@@ -228,6 +228,7 @@ const tests = {
     assert.equal(await page.locator(`${chart} .mark-symbol path`).count(), 19);
     const pairs = await page.$$eval("#legend button path", (marks) => marks.map((mark) =>
       mark.getAttribute("fill") + mark.getAttribute("d")));
+    assert.ok(pairs.length > 8, "more methods than colours");
     assert.equal(new Set(pairs).size, pairs.length);
     const covered = await page.evaluate(() => {
       const found = [];
