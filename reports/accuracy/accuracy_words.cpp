@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/accuracy/accuracy_charts.h"
 #include "reports/accuracy/equal_error.h"
 #include "reports/accuracy/recommend.h"
 #include "reports/page/caption.h"
-#include "reports/page/names.h"
+#include "reports/table.h"
 
 namespace wedgesim::reports::accuracy {
 namespace {
@@ -32,6 +33,11 @@ std::string between_words(std::size_t count) {
   return count == 0 ? std::string() : fmt::format("; {} more between them on the front", count);
 }
 
+std::string times_text(double ratio) {
+  if (ratio < 1000.0) return fmt::format("{:.3g}", ratio);
+  return grouped(static_cast<std::uint64_t>(std::llround(ratio)));
+}
+
 // The choice that ray tracing takes longest for, compared with its own time.
 std::string ray_words(const SceneResult& result) {
   const Measured* best = nullptr;
@@ -48,7 +54,7 @@ std::string ray_words(const SceneResult& result) {
   }
   if (best == nullptr) return "";
   return fmt::format("For the error of {} ray tracing takes {}, {} times as long{}.",
-                     best->choice.text, time_text(rays.seconds), page::number_text(most),
+                     best->choice.text, time_text(rays.seconds), times_text(most),
                      rays.extrapolated ? " (extrapolated)" : "");
 }
 

@@ -5,6 +5,25 @@
 #include "base/file.h"
 
 namespace wedgesim::reports::page {
+namespace {
+
+bool is_grey(const Image& image) {
+  if (image.channels != 3) return false;
+  for (std::size_t i = 0; i < image.values.size(); i += 3) {
+    if (image.values[i] != image.values[i + 1] || image.values[i] != image.values[i + 2]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Image first_channel(const Image& image) {
+  Image first(image.width, image.height, 1);
+  for (std::size_t i = 0; i < first.values.size(); ++i) first.values[i] = image.values[3 * i];
+  return first;
+}
+
+}  // namespace
 
 Image reduced(const Image& image, int most_width) {
   const int step = (image.width + most_width - 1) / most_width;
@@ -27,7 +46,7 @@ Image reduced(const Image& image, int most_width) {
 }
 
 std::string png_of(const Image& image, const std::filesystem::path& scratch) {
-  write_image(scratch, image);
+  write_image(scratch, is_grey(image) ? first_channel(image) : image);
   std::string bytes(MappedFile(scratch).text());
   std::filesystem::remove(scratch);
   return bytes;

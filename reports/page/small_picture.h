@@ -11,7 +11,7 @@ namespace wedgesim::reports::page {
 /// \param most_width  of what comes out
 Image reduced(const Image& image, int most_width);
 
-/// The bytes of a PNG (write_image).
+/// The bytes of a PNG (write_image), with one channel if three are the same everywhere.
 /// \param scratch  a file that is written and removed
 std::string png_of(const Image& image, const std::filesystem::path& scratch);
 

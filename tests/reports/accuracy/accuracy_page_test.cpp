@@ -90,6 +90,22 @@ TEST_F(AccuracyPage, WordsAreMadeFromTheResults) {
   EXPECT_EQ(error_text(4.2e-5), "4.2e-05");
 }
 
+TEST(AccuracyWords, SayHowMuchLongerRayTracingTakes) {
+  SceneResult result;
+  for (const auto& [choice, error, seconds] :
+       {std::tuple("raytraced-16", 0.01, 0.1),
+        {"raytraced-64", 0.001, 10.0},
+        {"ssv", 0.005, 1e-4},
+        {"hard", 0.05, 1e-9}}) {  // too wrong to be spoken of
+    Measured& measured = result.methods.emplace_back();
+    measured.choice = functional::choose_method("", choice);
+    measured.errors[static_cast<std::size_t>(Region::receivers)].rmse = error;
+    measured.timing.all_threads = seconds;
+  }
+  EXPECT_EQ(finding_words(result)[1],
+            "For the error of ssv ray tracing takes 400 ms, 4,000 times as long.");
+}
+
 TEST(ChartLabels, CoverNeitherMarksNorEachOther) {
   const std::vector<LabelledMark> marks{{100, 50, "first"},
                                         {130, 50, "in the way at the right"},
