@@ -207,9 +207,11 @@ SceneSource scene_source(const std::string& name_or_file) {
   SceneSource source;
   source.name = found.name;
   if (!found.file.empty()) source.files.push_back(found.file);
-  for (const TomlTable& light : table.one_or_more_tables("light")) {
-    std::ranges::move(light_textures(light, found.file.parent_path()),
-                      std::back_inserter(source.files));
+  if (table.has("light")) {  // without one, loading the scene will say so
+    for (const TomlTable& light : table.one_or_more_tables("light")) {
+      std::ranges::move(light_textures(light, found.file.parent_path()),
+                        std::back_inserter(source.files));
+    }
   }
   for (const TomlTable& object : table.tables("object")) {
     source.has_field |= object.has("field");
