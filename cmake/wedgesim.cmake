@@ -7,8 +7,10 @@ target_compile_options(wedgesim_options INTERFACE
 if(WEDGESIM_SANITIZE)
   target_compile_options(wedgesim_options INTERFACE
     -fsanitize=${WEDGESIM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  # Under instrumentation g++ 12 takes std::regex's own members for uninitialized.
-  target_compile_options(wedgesim_options INTERFACE -Wno-maybe-uninitialized)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Under instrumentation g++ 12 takes std::regex's own members for uninitialized.
+    target_compile_options(wedgesim_options INTERFACE -Wno-maybe-uninitialized)
+  endif()
   if(WEDGESIM_SANITIZE MATCHES undefined AND NOT WEDGESIM_FUZZ)
     # A third of the build's time: a null pointer ends in a report anyway, and alignment matters
     # where files are mapped, which is what the fuzzer reads.
