@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kStencilBytes = 1;
 constexpr int kDepthBytes = 4;
-constexpr int kSumBytes = 4;
 
 Light point_at(const Light& light, const glm::dvec3& position) {
   Light point = light;
@@ -69,14 +68,14 @@ Visibility render_sampled(const MethodInput& input, const MethodOptions& options
   }
   const auto n = static_cast<float>(samples.size());
   for (float& value : result.values) value /= n;
-  // Each sample's stencil is added to a sum of its own.
+  // Each sample's stencil is read and added to a sum of its own.
   MethodAccesses& accesses = result.accesses;
   const std::uint64_t merges = samples.size() * result.values.size();
+  accesses.li_reads += merges;
+  accesses.sums = 2 * merges;
   accesses.bytes = kDepthBytes * accesses.z_reads +
-                   kStencilBytes * (accesses.li_reads + accesses.li_writes + merges) +
-                   2 * kSumBytes * merges;
-  accesses.li_reads += 2 * merges;
-  accesses.li_writes += merges;
+                   kStencilBytes * (accesses.li_reads + accesses.li_writes) +
+                   MethodAccesses::kSumBytes * accesses.sums;
   return result;
 }
 

@@ -25,11 +25,13 @@ struct MethodInput {
 /// Words that a method reads and writes; one word = one access of one pixel or texel.
 struct MethodAccesses {
   std::uint64_t z_reads = 0;     // of the eye's depth buffer
-  std::uint64_t li_reads = 0;    // of light-intensity, stencil and accumulation words
+  std::uint64_t li_reads = 0;    // of light-intensity and stencil words
   std::uint64_t li_writes = 0;   // of them
+  std::uint64_t sums = 0;        // reads and writes of sums over samples or parts of the light
   std::uint64_t map_reads = 0;   // of maps seen from the light, and of tables and textures
   std::uint64_t map_writes = 0;  // of maps seen from the light
-  std::uint64_t bytes = 0;       // of all these, at the method's own word widths
+  std::uint64_t bytes = 0;       // of all these, at the method's own word widths; 4 for a sum
+  static constexpr std::uint64_t kSumBytes = 4;
 };
 
 /// A part of a method's run time.

@@ -119,10 +119,11 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
   }
   if (split > 1) {
     const std::uint64_t merges = static_cast<std::uint64_t>(split * split) * result.values.size();
-    accesses.li_reads += 2 * merges;
-    accesses.li_writes += merges;
+    accesses.li_reads += merges;
+    accesses.sums = 2 * merges;
   }
-  accesses.bytes = 4 * (accesses.z_reads + accesses.li_reads + accesses.li_writes);
+  accesses.bytes = 4 * (accesses.z_reads + accesses.li_reads + accesses.li_writes) +
+                   MethodAccesses::kSumBytes * accesses.sums;
   if (shading.tables) {
     accesses.map_reads = 3 * pass.shares();  // two angles, one area
     accesses.bytes += 5 * pass.shares();

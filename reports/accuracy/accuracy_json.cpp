@@ -15,13 +15,15 @@ Json to_json(const Errors& errors) {
           {"max_error", errors.largest},
           {"psnr_db", std::isfinite(psnr) ? Json(psnr) : Json(nullptr)},
           {"beyond_1_255", errors.beyond_1_255},
-          {"beyond_16_255", errors.beyond_16_255}};
+          {"beyond_16_255", errors.beyond_16_255},
+          {"wrong_kind", errors.wrong_kind}};
 }
 
 Json to_json(const functional::MethodAccesses& accesses) {
-  return {{"z_reads", accesses.z_reads},       {"li_reads", accesses.li_reads},
-          {"li_writes", accesses.li_writes},   {"map_reads", accesses.map_reads},
-          {"map_writes", accesses.map_writes}, {"bytes", accesses.bytes}};
+  return {{"z_reads", accesses.z_reads},     {"li_reads", accesses.li_reads},
+          {"li_writes", accesses.li_writes}, {"sums", accesses.sums},
+          {"map_reads", accesses.map_reads}, {"map_writes", accesses.map_writes},
+          {"bytes", accesses.bytes}};
 }
 
 Json to_json(const Timing& timing) {

@@ -35,6 +35,7 @@ Values metrics_of(const Measured& measured, std::int64_t odd_degrees) {
                  {"max_error", measured.on(Region::receivers).largest},
                  {"beyond_1_255", measured.on(Region::receivers).beyond_1_255},
                  {"beyond_16_255", measured.on(Region::receivers).beyond_16_255},
+                 {"wrong_kind", measured.on(Region::receivers).wrong_kind},
                  {"milliseconds", 1e3 * timing.all_threads},
                  {"milliseconds_one_thread", 1e3 * timing.one_thread},
                  {"frames_per_second", 1.0 / timing.all_threads},
@@ -45,6 +46,8 @@ Values metrics_of(const Measured& measured, std::int64_t odd_degrees) {
                  {"map_reads", count(accesses.map_reads)},
                  {"map_writes", count(accesses.map_writes)},
                  {"bytes", count(accesses.bytes)},
+                 {"bytes_without_sums",
+                  count(accesses.bytes - accesses.sums * functional::MethodAccesses::kSumBytes)},
                  {"odd_degree_vertices", odd_degrees}};
   for (const functional::Stage& stage : timing.stages) {
     metrics[stage.name + "_milliseconds"] = 1e3 * stage.seconds;

@@ -7,6 +7,15 @@
 #include "base/check.h"
 
 namespace wedgesim::reports::accuracy {
+namespace {
+
+enum class Kind { umbra, penumbra, lit };
+Kind kind_of(double visible) {
+  constexpr double kNone = 0.5 / 255.0;  // what an 8-bit buffer shows as nothing
+  return visible < kNone ? Kind::umbra : visible > 1.0 - kNone ? Kind::lit : Kind::penumbra;
+}
+
+}  // namespace
 
 using functional::DepthBuffer;
 
@@ -41,12 +50,14 @@ void ErrorSum::add(const Regions& regions, Region region, std::span<const float>
     if (!regions.holds(region, i)) continue;
     for (std::size_t k = i * channels; k < (i + 1) * channels; ++k) {
       const double shown = std::clamp(static_cast<double>(values[k]), 0.0, 1.0);
-      const double error = std::abs(shown - static_cast<double>(reference[k]));
+      const auto truth = static_cast<double>(reference[k]);
+      const double error = std::abs(shown - truth);
       ++values_;
       squares_ += error * error;
       largest_ = std::max(largest_, error);
       if (error > 1.0 / 255.0) ++beyond_1_;
       if (error > 16.0 / 255.0) ++beyond_16_;
+      if (kind_of(shown) != kind_of(truth)) ++wrong_kind_;
     }
   }
 }
@@ -58,7 +69,8 @@ Errors ErrorSum::errors() const {
           .rmse = std::sqrt(squares_ / n),
           .largest = largest_,
           .beyond_1_255 = static_cast<double>(beyond_1_) / n,
-          .beyond_16_255 = static_cast<double>(beyond_16_) / n};
+          .beyond_16_255 = static_cast<double>(beyond_16_) / n,
+          .wrong_kind = static_cast<double>(wrong_kind_) / n};
 }
 
 }  // namespace wedgesim::reports::accuracy

@@ -30,6 +30,8 @@ struct Errors {
   double largest = 0.0;
   double beyond_1_255 = 0.0;   // share of the values that are off by more, [0, 1]
   double beyond_16_255 = 0.0;  // and by more than 16/255
+  double wrong_kind = 0.0;     // share of values that are umbra, penumbra or lit where the
+                               // reference is another of these: where boundaries lie wrong
 
   /// 20 log₁₀(1 / rmse), decibels; infinity without an error.
   double psnr_db() const;
@@ -63,6 +65,7 @@ class ErrorSum {
   double largest_ = 0.0;
   std::size_t beyond_1_ = 0;
   std::size_t beyond_16_ = 0;
+  std::size_t wrong_kind_ = 0;
 };
 
 }  // namespace wedgesim::reports::accuracy

@@ -78,6 +78,7 @@ class SceneMeasurement {
       all.z_reads += own.z_reads;
       all.li_reads += own.li_reads;
       all.li_writes += own.li_writes;
+      all.sums += own.sums;
       all.map_reads += own.map_reads;
       all.map_writes += own.map_writes;
       all.bytes += own.bytes;

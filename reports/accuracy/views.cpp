@@ -92,6 +92,7 @@ View read_view(const TomlTable& table) {
   view.options.frame = table.integer("frame", 0);
   view.options.light_scale = table.number("light_scale", 1.0, Range::size());
   view.subdivide = table.integer("subdivide", 0, 0, 4);
+  view.light_away = table.number("light_away", 1.0, Range::size());
   view.published = table.boolean("published", false);
   if (table.has("torus")) {
     const glm::dvec2 segments = table.vec2("torus", {}, {3.0, 4096.0});
@@ -120,6 +121,11 @@ std::optional<Scene> View::load(const std::filesystem::path& meshes) const {
   }
   Scene loaded = functional::load_scene(scene, changed);
   loaded.name = name;
+  functional::Light& light = loaded.light;
+  light.centre *= light_away;
+  light.half_u *= light_away;
+  light.half_v *= light_away;
+  light.radius *= light_away;
   for (functional::Object& object : loaded.objects) {
     if (!object.casts) continue;
     if (torus) object.mesh = torus_like(object.mesh, *torus);

@@ -19,7 +19,8 @@ struct View {
   functional::SceneOptions options;
   std::optional<std::array<int, 2>> torus;  // segments round the axis and the tube
   int subdivide = 0;
-  bool published = false;  // it has the size of a scene in a paper's table
+  double light_away = 1.0;  // as many times as far from the world's origin, and as large
+  bool published = false;   // it has the size of a scene in a paper's table
 
   /// \param meshes  where relative paths of meshes start
   /// \return nothing if its mesh is not there

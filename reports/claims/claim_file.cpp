@@ -108,6 +108,7 @@ Claim read_claim(const toml::table& raw, const std::string& file) {
   claim.of_methods = by == "accuracy";
   claim.wedges = claim.of_methods ? "" : table.text("wedges", "linear");
   claim.needs = table.text("needs", "");
+  claim.likely = table.text("likely", "");
   table.has("measured");
   table.reject_unknown();
   if (const toml::array* measured = raw["measured"].as_array()) {

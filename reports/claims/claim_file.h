@@ -46,6 +46,7 @@ struct Claim {
   bool of_methods = false;  // measured by `accuracy`, not by a study
   std::vector<std::string> scenes;    // empty: all
   std::string needs;                  // why it cannot be measured yet; else empty
+  std::string likely;                 // why it does not hold here, if it does not; or empty
   std::vector<Measurement> measured;  // the literal one first
 };
 

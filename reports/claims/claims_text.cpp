@@ -88,6 +88,8 @@ Document claims_page(std::span<const ClaimResult> claims, const Results& results
                     result.because.empty() ? "" : "; " + result.because);
     if (!claim.scenes.empty()) text += fmt::format(" Scenes: {}.", fmt::join(claim.scenes, ", "));
     document.paragraph(text);
+    const bool holds = result.verdict == Verdict::reproduced;
+    if (!holds && !claim.likely.empty()) document.paragraph("Likely why: " + claim.likely);
     if (!result.measured.empty()) document.table(measured_table(result));
   }
   return document;

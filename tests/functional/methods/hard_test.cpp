@@ -110,6 +110,20 @@ TEST(Sampled, OneSampleIsTheHardShadow) {
 }
 
 // Every value is a whole number of samples: the bands that its paper's figures show.
+// Its words are those of the samples' shadows, a sum's apart.
+TEST(Sampled, CountsWhatItsSamplesDo) {
+  const Scene scene = scene_of("plain-columns");
+  const MethodAccesses one = view_of(scene, "hard").visibility.accesses;
+  const MethodAccesses sampled = view_of(scene, "sampled:samples=1").visibility.accesses;
+  const std::uint64_t pixels = 160 * 107;
+  EXPECT_EQ(sampled.z_reads, one.z_reads);
+  EXPECT_EQ(sampled.li_writes, one.li_writes);
+  EXPECT_EQ(sampled.li_reads, one.li_reads + pixels);
+  EXPECT_EQ(sampled.sums, 2 * pixels);
+  EXPECT_EQ(sampled.bytes, one.bytes + pixels + MethodAccesses::kSumBytes * sampled.sums);
+  EXPECT_EQ(view_of(scene, "sampled-16").visibility.accesses.sums, 16 * 2 * pixels);
+}
+
 TEST(Sampled, ShowsBands) {
   const Scene scene = scene_of("plain-columns");
   for (const float value : view_of(scene, "sampled-16").visibility.values) {

@@ -46,6 +46,18 @@ TEST_F(FourPixels, RmseLargestAndSharesAreThoseOfTheDifferences) {
   EXPECT_NEAR(found.psnr_db(), -20.0 * std::log10(found.rmse), 1e-12);
 }
 
+TEST_F(FourPixels, KindsAreUmbraPenumbraAndLit) {
+  const auto wrong = [&](float value, float truth) {
+    return errors(Region::receivers, {value, 1.0F, 0.0F, 0.0F}, {truth, 1.0F, 0.0F, 0.0F})
+        .wrong_kind;
+  };
+  EXPECT_EQ(wrong(0.1F, 0.9F), 0.0) << "both partly lit";
+  EXPECT_EQ(wrong(0.4F / 255.0F, 0.0F), 0.0) << "shown as nothing";
+  EXPECT_EQ(wrong(0.6F / 255.0F, 0.0F), 0.5);
+  EXPECT_EQ(wrong(0.5F, 1.0F), 0.5);
+  EXPECT_EQ(wrong(-1.0F, 0.0F), 0.0);
+}
+
 TEST_F(FourPixels, ValuesAreClampedAsADisplayDoes) {
   EXPECT_EQ(errors(Region::surfaces, {-3.0F, 1.5F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F, 0.0F}).rmse,
             0.0);

@@ -50,6 +50,17 @@ TEST(Views, SubdivisionKeepsTheMeshClosedAndItsVolume) {
               1e-9);
 }
 
+TEST(Views, AFarLightIsSeenUnderTheSameAngles) {
+  View view = named("big-light-box-far-disk");
+  EXPECT_EQ(view.light_away, 8.0);
+  const functional::Light far = view.load({})->light;
+  view.light_away = 1.0;
+  const functional::Light near = view.load({})->light;
+  EXPECT_EQ(far.centre, 8.0 * near.centre);
+  EXPECT_EQ(far.radius, 8.0 * near.radius);
+  EXPECT_GT(near.radius, 1.0);
+}
+
 TEST(Views, WithoutItsMeshAViewIsLeftOut) {
   EXPECT_FALSE(named("cow 512x512").load("/nowhere").has_value());
 }
