@@ -52,4 +52,18 @@ CoverageForms coverage_forms(LightShape shape, const glm::dmat4& light_from_wind
                                         : sphere_forms(rows, begin, end);
 }
 
+CoverageForms cone_forms(const glm::dmat4& light_from_window, const glm::dvec3& begin,
+                         const glm::dvec3& end) {
+  const glm::dmat4 rows = glm::transpose(light_from_window);
+  CoverageForms result;
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = static_cast<std::size_t>(i);
+    result.forms[axis] = begin[i] * rows[3] - rows[i];
+    result.forms[3 + axis] = end[i] * rows[3] - rows[i];
+    result.constants[axis] = static_cast<float>(begin[i]);
+  }
+  result.forms[6] = rows[3];
+  return result;
+}
+
 }  // namespace wedgesim::functional

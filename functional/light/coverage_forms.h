@@ -25,4 +25,9 @@ struct CoverageForms {
 CoverageForms coverage_forms(LightShape shape, const glm::dmat4& light_from_window,
                              const glm::dvec3& begin, const glm::dvec3& end);
 
+/// What the cone from a point through a spherical light's disc clips (sector_simd.h): as forms the
+/// way to the edge's begin and to its end, times w, and w; as constants its begin.
+CoverageForms cone_forms(const glm::dmat4& light_from_window, const glm::dvec3& begin,
+                         const glm::dvec3& end);
+
 }  // namespace wedgesim::functional

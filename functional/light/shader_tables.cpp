@@ -1,6 +1,7 @@
 #include "functional/light/shader_tables.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -13,7 +14,7 @@ namespace wedgesim::functional {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kTableSide = 256;
+constexpr int kTableSide = SectorTable::kSide;
 constexpr float kAngleStep = static_cast<float>(2.0 * kPi / 65535.0);
 
 float cross_2d(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
@@ -44,13 +45,14 @@ AngleMap::AngleMap() {
   for (std::size_t i = 0; i < kSide; ++i) {
     const double along = (2.0 * static_cast<double>(i) + 1.0) / kSide - 1.0;
     const auto word = [](double y, double x) {
-      return static_cast<std::uint16_t>(
-          std::lround((std::atan2(y, x) + kPi) / static_cast<double>(kAngleStep)));
+      const double step = static_cast<double>(kAngleStep);
+      const auto rounded = static_cast<float>(std::lround((std::atan2(y, x) + kPi) / step));
+      return rounded * kAngleStep - static_cast<float>(kPi);
     };
-    row_[0][i] = word(along, 1.0);
-    row_[1][i] = word(along, -1.0);
-    row_[2][i] = word(1.0, along);
-    row_[3][i] = word(-1.0, along);
+    texels_[i] = word(along, 1.0);
+    texels_[kSide + i] = word(along, -1.0);
+    texels_[2 * kSide + i] = word(1.0, along);
+    texels_[3 * kSide + i] = word(-1.0, along);
   }
 }
 
@@ -61,7 +63,7 @@ float AngleMap::angle(const glm::vec2& direction) const {
   const std::size_t face = (in_x ? 0U : 2U) + (major < 0.0F ? 1U : 0U);
   const auto texel = static_cast<int>((minor / std::abs(major) + 1.0F) * (0.5F * kSide));
   const auto i = static_cast<std::size_t>(std::clamp(texel, 0, kSide - 1));
-  return static_cast<float>(row_[face][i]) * kAngleStep - static_cast<float>(kPi);
+  return texels_[face * kSide + i];
 }
 
 SectorTable::SectorTable(double area, std::uint32_t largest_word, double (*sector)(double, double))
@@ -130,18 +132,18 @@ float shader_sphere_coverage(const SectorTable& disc, const glm::dvec3& point,
   const float bb = form(a, a);
   const float root = ab * ab - aa * bb;
   if (!(root > 0.0F)) return 0.0F;
-  const float reach = std::sqrt(root);
-  const float s0 = (-ab - reach) / aa;
-  const float s1 = (-ab + reach) / aa;
+  // The roots of aa·s² + 2·ab·s + bb without the difference that cancels if aa is small.
+  const float sum = -(ab + std::copysign(std::sqrt(root), ab));
+  const auto [s0, s1] = std::minmax({sum / aa, bb / sum});
   float low = 0.0F;
   float high = 1.0F;
   if (aa > 0.0F) {
     low = std::max(low, s0);
     high = std::min(high, s1);
   } else if (way.z > 0.0F) {  // steeper than the cone: in from one crossing on
-    low = std::max({low, s0, s1});
+    low = std::max(low, s1);
   } else {
-    high = std::min({high, s0, s1});
+    high = std::min(high, s0);
   }
   const glm::vec3 c0 = a + low * way;
   const glm::vec3 c1 = a + high * way;
@@ -155,17 +157,21 @@ float shader_rectangle_coverage(const SectorTable& square, const glm::dvec3& poi
   return chord ? square.coverage(glm::vec2(chord->p), glm::vec2(chord->q)) : 0.0F;
 }
 
-SplitWord split_coverage(float coverage) {
-  static const std::array<SplitWord, 1024> entries = [] {
-    std::array<SplitWord, 1024> made;
+std::span<const std::int32_t> split_words() {
+  static const std::array<std::int32_t, 1024> entries = [] {
+    std::array<std::int32_t, 1024> made{};
     for (int i = 0; i < 1024; ++i) {
       made[static_cast<std::size_t>(i)] =
-          SplitWord::pack((i * SplitWord::kWhole + 1023) / (2 * 1023));
+          std::bit_cast<std::int32_t>(SplitWord::pack((i * SplitWord::kWhole + 1023) / (2 * 1023)));
     }
     return made;
   }();
+  return entries;
+}
+
+SplitWord split_coverage(float coverage) {
   const float at = std::clamp(2.0F * coverage, 0.0F, 1.0F) * 1023.0F + 0.5F;
-  return entries[static_cast<std::size_t>(at)];
+  return std::bit_cast<SplitWord>(split_words()[static_cast<std::size_t>(at)]);
 }
 
 }  // namespace wedgesim::functional

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "functional/light/split_word.h"
@@ -19,11 +20,13 @@ class AngleMap {
   AngleMap();
   /// \return [−π, π]; of any direction but (0, 0)
   float angle(const glm::vec2& direction) const;
-  static constexpr std::size_t kBytes = 6 * 128 * 128 * 2;
+  static constexpr int kSide = 128;
+  static constexpr std::size_t kBytes = 6 * kSide * kSide * 2;
+  /// The rows of the faces +x, −x, +y, −y: angles as the words round them.
+  const float* texels() const { return texels_.data(); }
 
  private:
-  static constexpr int kSide = 128;
-  std::array<std::array<std::uint16_t, kSide>, 4> row_{};  // of the faces +x, −x, +y, −y
+  std::array<float, 4 * kSide> texels_{};
 };
 
 /// What a chord of a light hides, from two angles: the part of the light between the rays to the
@@ -42,6 +45,13 @@ class SectorTable {
   float coverage(const glm::vec2& p, const glm::vec2& q) const;
   /// Of this table alone, at the word widths of the paper.
   std::size_t bytes() const { return table_.size() * word_bytes_; }
+
+  // What coverage() reads, for many chords at once (sector_simd.h).
+  static constexpr int kSide = 256;
+  const AngleMap& angles() const { return angles_; }
+  /// (angle of q, angle of p) the areas, kSide × kSide from −π to π.
+  const float* areas() const { return table_.data(); }
+  float light_area() const { return area_; }
 
  private:
   SectorTable(double area, std::uint32_t largest_word, double (*sector)(double, double));
@@ -72,5 +82,7 @@ float shader_rectangle_coverage(const SectorTable& square, const glm::dvec3& poi
 /// \param coverage  [0, 1/2], the range of the entries
 /// Source: Paper IV, 6. Differs: the range of the entries is not told.
 SplitWord split_coverage(float coverage);
+/// Its entries, the four components as they lie in memory.
+std::span<const std::int32_t> split_words();
 
 }  // namespace wedgesim::functional

@@ -5,7 +5,6 @@
 #include <bit>
 #include <utility>
 
-#include "functional/light/shader_tables.h"
 #include "functional/light/split_word.h"
 #include "functional/methods/ssv_kernel.h"
 
@@ -57,6 +56,8 @@ template <typename Share>
 struct ShortShare {
   static constexpr std::size_t kForms = Share::kForms;
   static constexpr std::size_t kChannels = 3;
+  static constexpr std::size_t kUmbraChannel = 2;
+  static constexpr std::size_t kWords = 1;  // one component is blended at a time
   Share share;
 
   HWY_INLINE M operator()(const V* forms, const ScreenWedge& wedge, M inner, V* shares,
@@ -72,50 +73,9 @@ struct ShortShare {
     shares[2] = zero;
     return counts;
   }
+  static HWY_INLINE V blend(std::size_t, V old, V share) { return hn::Add(old, share); }
 };
 
-// Each contribution as a word over four components (SplitWord): what is added in channels 0 to 3,
-// what is taken in 4 to 7, in 1/256; the last has the umbra alone.
-template <typename Share>
-struct SplitShare {
-  static constexpr std::size_t kForms = Share::kForms;
-  static constexpr std::size_t kChannels = 9;
-  Share share;
-
-  HWY_INLINE M operator()(const V* forms, const ScreenWedge& wedge, M inner, V* shares,
-                          M& read) const {
-    V whole = hn::Zero(kTag);
-    const M counts = share(forms, wedge, inner, &whole, read);
-    float coverages[kLanes];
-    hn::StoreU(hn::Abs(whole), kTag, coverages);
-    float components[4][kLanes] = {};
-    for (std::uint64_t left = bits_of(counts); left != 0; left &= left - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(left));
-      const SplitWord word = split_coverage(std::min(coverages[i], 0.5F));
-      for (std::size_t c = 0; c < 4; ++c) {
-        components[c][i] = static_cast<float>(word.components[c]) / 256.0F;
-      }
-    }
-    const V zero = hn::Zero(kTag);
-    for (std::size_t c = 0; c < 4; ++c) {
-      const V component = hn::LoadU(kTag, components[c]);
-      shares[c] = hn::IfThenElse(inner, component, zero);
-      shares[4 + c] = hn::IfThenElse(inner, zero, component);
-    }
-    shares[8] = zero;
-    return counts;
-  }
-};
-
-void draw_split_chords(const ChordLookup& lookup, const VolumeFrame& frame, VolumeRow& row) {
-  draw_row_by(SplitShare<ChordShare<1>>{{lookup}}, frame, row);
-}
-void draw_split_rectangle(const VolumeFrame& frame, VolumeRow& row) {
-  draw_row_by(SplitShare<RectangleShare>{}, frame, row);
-}
-void draw_split_sphere(const VolumeFrame& frame, VolumeRow& row) {
-  draw_row_by(SplitShare<SphereShare>{}, frame, row);
-}
 void draw_chords_1(const ChordLookup& lookup, const VolumeFrame& frame, VolumeRow& row) {
   draw_row_by(ChordShare<1>{lookup}, frame, row);
 }
@@ -141,9 +101,6 @@ HWY_AFTER_NAMESPACE();
 namespace wedgesim::functional {
 
 namespace {
-HWY_EXPORT(draw_split_chords);
-HWY_EXPORT(draw_split_rectangle);
-HWY_EXPORT(draw_split_sphere);
 HWY_EXPORT(draw_chords_1);
 HWY_EXPORT(draw_chords_3);
 HWY_EXPORT(draw_short_chords);
@@ -176,23 +133,6 @@ DrawRow short_coverage_kernel(LightShape shape) {
   }
   return [](const VolumeFrame& frame, VolumeRow& row) {
     HWY_DYNAMIC_DISPATCH(draw_short_sphere)(frame, row);
-  };
-}
-
-DrawRow split_chord_kernel(ChordLookup lookup) {
-  return [lookup = std::move(lookup)](const VolumeFrame& frame, VolumeRow& row) {
-    HWY_DYNAMIC_DISPATCH(draw_split_chords)(lookup, frame, row);
-  };
-}
-
-DrawRow split_coverage_kernel(LightShape shape) {
-  if (shape == LightShape::rectangle) {
-    return [](const VolumeFrame& frame, VolumeRow& row) {
-      HWY_DYNAMIC_DISPATCH(draw_split_rectangle)(frame, row);
-    };
-  }
-  return [](const VolumeFrame& frame, VolumeRow& row) {
-    HWY_DYNAMIC_DISPATCH(draw_split_sphere)(frame, row);
   };
 }
 

@@ -16,15 +16,9 @@ using ChordLookup = std::function<std::array<float, 3>(const glm::dvec2& p, cons
 /// \param channels  1 or 3
 DrawRow chord_kernel(ChordLookup lookup, int channels);
 
-/// Kernels for words of 8 bits (split_word.h): 3 channels, to which wedges add, what they add in
-/// one and what they take in the next, each contribution rounded to a ShortWord, in 1/64. The third
-/// has the umbra alone.
+/// Kernels for words of 8 bits (split_word.h), in three channels: what wedges add and what they
+/// take, from 1 on, each contribution rounded to a ShortWord, in 1/64; and the umbra.
 DrawRow short_chord_kernel(ChordLookup lookup);
 DrawRow short_coverage_kernel(LightShape shape);
-
-/// The same for words over four 8-bit components (split_word.h): 9 channels, of what wedges add the
-/// four components, in 1/256, of what they take the four, and the umbra alone.
-DrawRow split_chord_kernel(ChordLookup lookup);
-DrawRow split_coverage_kernel(LightShape shape);
 
 }  // namespace wedgesim::functional

@@ -20,11 +20,12 @@ namespace wedgesim::functional {
 namespace {
 
 template <typename Condition>
-std::string known_names(const Condition& condition) {
+std::string known_names(const Condition& condition, std::string_view before = "") {
   std::string names;
   for (const Method& method : methods()) {
     if (!condition(method)) continue;
     names += names.empty() ? "" : ", ";
+    names += before;
     names += method.name;
   }
   return names;
@@ -99,7 +100,8 @@ Visibility render_method(const MethodInput& input, const MethodChoice& choice) {
         input.scene.place,
         fmt::format("the light has a texture, which method '{}' does not know",
                     choice.method->name),
-        "one of " + known_names([](const Method& method) { return method.takes_textures; }));
+        "one of " +
+            known_names([](const Method& method) { return method.takes_textures; }, "--method "));
   }
   Visibility visibility = choice.method->render(input, choice.options);
   choice.options.check_all_known();

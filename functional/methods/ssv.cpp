@@ -94,8 +94,8 @@ std::vector<float> merged(const std::vector<float>& planes) {
   std::vector<float> values(planes.size() / 3);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const float umbra = planes[2 * values.size() + i];
-    const float added = std::min(255.0F, 64.0F * (planes[i] - umbra));
-    const float taken = std::min(255.0F, 64.0F * (planes[values.size() + i] - umbra));
+    const float added = std::min(255.0F, 64.0F * (planes[i] - 1.0F));
+    const float taken = std::min(255.0F, 64.0F * (planes[values.size() + i] - 1.0F));
     values[i] = umbra + (added - taken) / ShortWord::kWhole;
   }
   return values;
@@ -122,8 +122,6 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
   };
   if (own.short_words && light.shape != LightShape::point) {
     result.values = merged(pass.draw(light, volumes, kernel, 3));
-    accesses.li_reads /= 3;  // one component is blended at a time
-    accesses.li_writes /= 3;
     accesses.bytes = 4 * accesses.z_reads + accesses.li_reads + accesses.li_writes;
     count_lookups(1);
     return result;

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "base/error.h"
 #include "functional/light/light_cells.h"
-#include "functional/light/shader_tables.h"
-#include "functional/light/split_word.h"
-#include "functional/methods/chord_kernel.h"
+#include "functional/methods/shader_kernel.h"
 #include "functional/methods/ssv_kernel.h"
 #include "functional/methods/volume_pass.h"
 
@@ -31,50 +28,16 @@ struct Shading {
   Words words = Words::float32;
 };
 
-// What a pixel's words over four components say: what is added and what is taken, each component up
-// to 255, and the umbra.
-std::vector<float> merged(const std::vector<float>& planes) {
-  const std::size_t pixels = planes.size() / 9;
-  std::vector<float> values(pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const float umbra = planes[8 * pixels + i];
-    float sum = 0.0F;
-    for (std::size_t half = 0; half < 2; ++half) {
-      float word = 0.0F;
-      for (std::size_t c = 0; c < 4; ++c) {
-        const float blended = 256.0F * (planes[(4 * half + c) * pixels + i] - umbra);
-        word = 8.0F * word + std::min(255.0F, blended);
-      }
-      sum += half == 0 ? word : -word;
-    }
-    values[i] = umbra + sum / static_cast<float>(SplitWord::kWhole);
-  }
-  return values;
-}
-
 DrawRow make_kernel(const Light& light, const Shading& shading) {
   if (light.shape == LightShape::point) return hard_kernel();
-  if (!shading.tables) {
-    return shading.words == Words::split ? split_coverage_kernel(light.shape)
-                                         : coverage_kernel(light.shape);
-  }
-  ChordLookup lookup = [](const glm::dvec2& p, const glm::dvec2& q) {
-    static const SectorTable table = SectorTable::square();
-    return std::array{table.coverage(glm::vec2(p), glm::vec2(q)), 0.0F, 0.0F};
-  };
-  return shading.words == Words::split ? split_chord_kernel(std::move(lookup))
-                                       : chord_kernel(std::move(lookup), 1);
+  if (shading.words == Words::split) return split_kernel(light.shape, shading.tables);
+  return shading.tables ? table_kernel(light.shape) : coverage_kernel(light.shape);
 }
 
 void refuse_what_is_not_treated(const Scene& scene, const VolumeOptions& volumes,
                                 const Shading& shading, int split) {
-  const bool rectangle = scene.light.shape == LightShape::rectangle;
-  if (split > 1 && !rectangle) {
+  if (split > 1 && scene.light.shape != LightShape::rectangle) {
     throw InputError(scene.place, "only a rectangular light can be split", "split=1");
-  }
-  if (shading.tables && !rectangle) {
-    throw InputError(scene.place, "the shader's table here is that of a rectangular light",
-                     "shader=exact");
   }
   if (shading.words == Words::split && volumes.volumes.by_groups) {
     throw InputError(scene.place, "the overlap heuristic merges whole words", "vbuffer=float");
@@ -82,7 +45,7 @@ void refuse_what_is_not_treated(const Scene& scene, const VolumeOptions& volumes
 }
 
 Visibility render(const MethodInput& input, const MethodOptions& options) {
-  const VolumeOptions volumes = read_volume_options(options);
+  VolumeOptions volumes = read_volume_options(options);
   const int split = options.integer("split", 1, 1, 4);
   const Shading shading{
       .tables = options.choice<bool>("shader", {{"exact", false}, {"tables", true}}),
@@ -90,13 +53,15 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
           options.choice<Words>("vbuffer", {{"float", Words::float32}, {"12bit", Words::split}})};
   options.check_all_known();
   refuse_what_is_not_treated(input.scene, volumes, shading, split);
+  volumes.volumes.cone_forms = shading.tables;
   Visibility result;
   VolumePass pass(input, result);
   const Light& light = pass.scene().light;
   const bool words = shading.words == Words::split && light.shape != LightShape::point;
   const DrawRow kernel = make_kernel(light, shading);
   const auto draw = [&](const Light& part) {
-    return words ? merged(pass.draw(part, volumes, kernel, 9)) : pass.draw(part, volumes, kernel);
+    return words ? merged_split_words(pass.draw(part, volumes, kernel, 3))
+                 : pass.draw(part, volumes, kernel);
   };
   MethodAccesses& accesses = result.accesses;
   if (split == 1) {
@@ -113,10 +78,6 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
       }
     }
   }
-  if (words) {  // four components are one word
-    accesses.li_reads /= 9;
-    accesses.li_writes /= 9;
-  }
   if (split > 1) {
     const std::uint64_t merges = static_cast<std::uint64_t>(split * split) * result.values.size();
     accesses.li_reads += merges;
@@ -124,9 +85,13 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
   }
   accesses.bytes = 4 * (accesses.z_reads + accesses.li_reads + accesses.li_writes) +
                    MethodAccesses::kSumBytes * accesses.sums;
-  if (shading.tables) {
-    accesses.map_reads = 3 * pass.shares();  // two angles, one area
-    accesses.bytes += 5 * pass.shares();
+  if (shading.tables) {  // two angles of 16 bits and an area
+    accesses.map_reads = 3 * pass.shares();
+    accesses.bytes += (light.shape == LightShape::sphere ? 6 : 5) * pass.shares();
+  }
+  if (words) {  // how a coverage is split
+    accesses.map_reads += pass.shares();
+    accesses.bytes += 4 * pass.shares();
   }
   return result;
 }
@@ -143,7 +108,8 @@ const Method kSsvOptimized{
     .summary = "Soft shadow volumes: tight wedges, overlap heuristic, light splitting",
     .source = "Paper IV, 4 and 5",
     .options =
-        "split=1…4, overlap=sum|loops, wedges=tight|loose, cull=tiles|none, z=auto|pass|fail",
+        "shader=exact|tables, vbuffer=float|12bit, split=1…4, overlap=sum|loops, "
+        "wedges=tight|loose, cull=tiles|none, z=auto|pass|fail",
     .compared = kCompared,
     .artifacts = kArtifacts,
     .render = render};

@@ -35,14 +35,15 @@ void for_each_chunk(std::size_t n, std::size_t chunk, const Body& body) {
 
 class Builder {
  public:
-  Builder(const Window& window, const Light& light, bool tight_wedges)
+  Builder(const Window& window, const Light& light, const VolumeChoices& choices)
       : window_(window),
         light_(light),
         pyramid_(window),
         axes_(light_from_world(light)),
         light_from_window_(light_from_world(light) * window.world_from_window),
         soft_(has_extent(light)),
-        tight_wedges_(tight_wedges),
+        tight_wedges_(choices.tight_wedges),
+        cone_forms_(choices.cone_forms && light.shape == LightShape::sphere),
         sides_(window) {}
 
   /// \param groups  of each loop, as the sides get them
@@ -119,9 +120,11 @@ class Builder {
   // Its forms: what coverage is computed from.
   void set_forms(const glm::dvec3& begin, const glm::dvec3& end, ScreenWedge& wedge) const {
     // By their distance from the light: the matrix's translation would round small lights away.
-    const CoverageForms coverage =
-        coverage_forms(light_.shape, light_from_window_, axes_ * (begin - light_.centre),
-                       axes_ * (end - light_.centre));
+    const glm::dvec3 from = axes_ * (begin - light_.centre);
+    const glm::dvec3 to = axes_ * (end - light_.centre);
+    const CoverageForms coverage = cone_forms_
+                                       ? cone_forms(light_from_window_, from, to)
+                                       : coverage_forms(light_.shape, light_from_window_, from, to);
     wedge.forms = coverage.forms;
     wedge.constants = coverage.constants;
   }
@@ -183,6 +186,7 @@ class Builder {
   glm::dmat4 light_from_window_;
   bool soft_;
   bool tight_wedges_;
+  bool cone_forms_;
   ScreenSides sides_;
 };
 
@@ -234,7 +238,7 @@ std::vector<ShadowCaster> find_casters(const Scene& scene, const Light& light) {
 std::vector<ScreenSide> build_volumes(const Scene& scene, const Window& window, const Light& light,
                                       const std::vector<ShadowCaster>& casters,
                                       const VolumeChoices& choices) {
-  const Builder builder(window, light, choices.tight_wedges);
+  const Builder builder(window, light, choices);
   std::vector<ScreenSide> sides;
   std::uint32_t group_count = 0;
   for (const ShadowCaster& caster : casters) {

@@ -18,6 +18,7 @@ struct VolumeChoices {
   ZChoice z = ZChoice::automatic;
   bool tight_wedges = true;  // else those of Paper III where they reach (loose_wedge.h)
   bool by_groups = false;    // sides sorted by the loops that shadow together (loop_groups.h)
+  bool cone_forms = false;   // a sphere's wedges with cone_forms, not coverage_forms
 };
 
 /// A caster as a light's centre sees it.

@@ -145,13 +145,38 @@ struct Visited {
   std::uint64_t read = 0, written = 0;
 };
 
-// Adds a wedge's shares at the pixels of a tile.
-//
 // A Share says what a wedge adds:
 //   kForms, kChannels           window forms it wants, values it gives
 //   operator()(forms, wedge, inner, shares, read) -> M
 //                               shares[channel] at a vector of points; the lanes that count, and in
 //                               `read` those whose depth is read: all, unless it says otherwise
+// and, unless all its channels are sums, each a word, that umbra polygons change by 1:
+//   kUmbraChannel               the only channel that they change
+//   kWords                      the words that its channels are read and written as
+//   blend(channel, old, share)  what a share makes of a value
+template <typename Share>
+constexpr bool kBlends = requires {
+  Share::kWords;
+};
+template <typename Share>
+constexpr std::size_t kWordsOf = [] {
+  if constexpr (kBlends<Share>) return Share::kWords;
+  return Share::kChannels;
+}();
+
+template <typename Share>
+HWY_INLINE V blended(std::size_t channel, V old, V share) {
+  if constexpr (kBlends<Share>) return Share::blend(channel, old, share);
+  return hn::Add(old, share);
+}
+
+template <typename Share>
+HWY_INLINE bool umbra_counts_in(std::size_t channel) {
+  if constexpr (kBlends<Share>) return channel == Share::kUmbraChannel;
+  return true;
+}
+
+// Adds a wedge's shares at the pixels of a tile.
 template <typename Share>
 HWY_INLINE Visited add_wedge(const Share& share, const ScreenWedge& wedge, std::uint64_t inner,
                              const TileHere& here, float* words, std::size_t channel_stride) {
@@ -174,8 +199,8 @@ HWY_INLINE Visited add_wedge(const Share& share, const ScreenWedge& wedge, std::
     visited.written |= bits_of(counts) << k;
     for (std::size_t c = 0; c < Share::kChannels; ++c) {
       float* word = words + c * channel_stride + k;
-      const V sum = hn::Add(hn::LoadU(kTag, word), hn::IfThenElseZero(counts, shares[c]));
-      hn::StoreU(sum, kTag, word);
+      const V old = hn::LoadU(kTag, word);
+      hn::StoreU(blended<Share>(c, old, hn::IfThenElseZero(counts, shares[c])), kTag, word);
     }
   }
   return visited;
@@ -202,10 +227,11 @@ HWY_INLINE void draw_tile(const Share& share, const ScreenSide& side, std::uint6
     if (hits != 0) {
       const bool darker = side.umbra.eye_facing != side.umbra.z_fail;
       for (std::size_t c = 0; c < Share::kChannels; ++c) {
+        if (!umbra_counts_in<Share>(c)) continue;
         add_to(words + c * channel_stride, hits, darker ? -1.0F : 1.0F);
       }
-      row.accesses.light_reads += count_bits(hits) * Share::kChannels;
-      row.accesses.light_writes += count_bits(hits) * Share::kChannels;
+      row.accesses.light_reads += count_bits(hits) * kWordsOf<Share>;
+      row.accesses.light_writes += count_bits(hits) * kWordsOf<Share>;
     }
   }
   if constexpr (Share::kForms > 0) {
@@ -213,8 +239,8 @@ HWY_INLINE void draw_tile(const Share& share, const ScreenSide& side, std::uint6
     const Visited visited = add_wedge(share, side.wedge, inner, here, words, channel_stride);
     row.accesses.z_reads += count_bits(visited.read & ~covered);
     row.accesses.shares += count_bits(visited.written);
-    row.accesses.light_reads += count_bits(visited.written) * Share::kChannels;
-    row.accesses.light_writes += count_bits(visited.written) * Share::kChannels;
+    row.accesses.light_reads += count_bits(visited.written) * kWordsOf<Share>;
+    row.accesses.light_writes += count_bits(visited.written) * kWordsOf<Share>;
   }
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <regex>
 #include <set>
 
 #include "base/error.h"
@@ -83,6 +84,32 @@ TEST(RenderMethod, RefusesAnOptionThatTheMethodDoesNotKnow) {
             std::string::npos);
 }
 
+// The line of a method's options, which help and errors show, against what the method asks for.
+TEST(RenderMethod, EveryMethodSaysItsOptions) {
+  SceneOptions scene_options;
+  scene_options.size = {8, 8};
+  const Scene scene = load_scene("plain-columns", scene_options);
+  for (const Method& method : methods()) {
+    const std::string error = error_of([&] {
+      render_view(scene, choose_method("--method", std::string(method.name) + ":unknown=1"));
+    });
+    const std::regex key("[a-z]+(?==|, |$)");
+    std::set<std::string> asked;
+    const std::size_t list = error.find("expected one of ");
+    const std::string names = list == std::string::npos ? "" : error.substr(list + 16);
+    for (std::sregex_iterator i(names.begin(), names.end(), key), end; i != end; ++i) {
+      asked.insert(i->str());
+    }
+    const std::regex named("[a-z]+(?==)");
+    const std::string line(method.options);
+    std::set<std::string> said;
+    for (std::sregex_iterator i(line.begin(), line.end(), named), end; i != end; ++i) {
+      said.insert(i->str());
+    }
+    EXPECT_EQ(said, asked) << method.name << ": " << line << "; " << error;
+  }
+}
+
 TEST(RenderMethod, RefusesATextureThatTheMethodDoesNotKnow) {
   SceneOptions scene_options;
   scene_options.size = {8, 8};
@@ -97,7 +124,8 @@ TEST(RenderMethod, RefusesATextureThatTheMethodDoesNotKnow) {
     EXPECT_EQ(error.empty(), method.takes_textures) << method.name;
     if (error.empty()) continue;
     EXPECT_NE(error.find("fire.toml: the light has a texture"), std::string::npos) << error;
-    EXPECT_NE(error.find("expected one of raytraced"), std::string::npos) << error;
+    EXPECT_NE(error.find("expected one of --method raytraced, --method ssv"), std::string::npos)
+        << error;
   }
 }
 

@@ -141,14 +141,17 @@ TEST(Ssv, DoesNotDependOnTheThreads) {
 TEST(Ssv, DoesNotDependOnTheInstructionSet) {
   for (const LightShape shape : {LightShape::rectangle, LightShape::sphere}) {
     const Scene scene = scene_of("fractal", shape);
-    const std::vector<float> widest = render_by(scene, "ssv").values;
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-      hwy::SetSupportedTargetsForTest(target);
+    for (const char* method : {"ssv", "ssv:vbuffer=8bit", "ssv-optimized:shader=tables",
+                               "ssv-optimized:shader=tables,vbuffer=12bit"}) {
+      const std::vector<float> widest = render_by(scene, method).values;
+      for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        EXPECT_EQ(render_by(scene, method).values, widest) << method << hwy::TargetName(target);
+      }
+      hwy::SetSupportedTargetsForTest(0);
       hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-      EXPECT_EQ(render_by(scene, "ssv").values, widest) << hwy::TargetName(target);
     }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   }
 }
 
