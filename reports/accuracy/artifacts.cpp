@@ -8,6 +8,7 @@
 #include "functional/raster/depth_buffer.h"
 #include "functional/reference/reference.h"
 #include "reports/accuracy/accuracy_picture.h"
+#include "reports/accuracy/truth.h"
 
 namespace wedgesim::reports::accuracy {
 namespace {
@@ -28,7 +29,7 @@ class Frame {
     for (int y = 0; y < crop.height; ++y) {
       for (int x = 0; x < crop.width; ++x) within[index(x, y)] = 1;
     }
-    reference_ = functional::reference_visibility(scene, window_, depth_, rays, 1, within);
+    reference_ = functional::reference_visibility(scene, window_, depth_, rays, kTruthSeed, within);
   }
 
   Panel reference() const { return cropped(visibility_panel(depth_, {reference_})); }

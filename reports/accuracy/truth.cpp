@@ -44,12 +44,12 @@ std::vector<std::uint8_t> in_doubt(const functional::DepthBuffer& depth,
 std::vector<float> reference_where_it_matters(const functional::Scene& scene,
                                               const functional::Window& window,
                                               const functional::DepthBuffer& depth, int rays) {
-  std::vector<float> truth =
-      functional::reference_visibility(scene, window, depth, std::min(rays, kFirstRays));
+  std::vector<float> truth = functional::reference_visibility(
+      scene, window, depth, std::min(rays, kFirstRays), kTruthSeed);
   if (rays <= kFirstRays) return truth;
   const std::vector<std::uint8_t> doubt = in_doubt(depth, truth);
   const std::vector<float> many =
-      functional::reference_visibility(scene, window, depth, rays, 1, doubt);
+      functional::reference_visibility(scene, window, depth, rays, kTruthSeed, doubt);
   const std::size_t channels = truth.size() / doubt.size();
   for (std::size_t i = 0; i < truth.size(); ++i) {
     if (doubt[i / channels] != 0) truth[i] = many[i];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "functional/raster/depth_buffer.h"
@@ -7,6 +8,9 @@
 #include "functional/scene/scene.h"
 
 namespace wedgesim::reports::accuracy {
+
+/// Of the reference's rays: not that of the method `raytraced`, which would be held against itself.
+inline constexpr std::uint64_t kTruthSeed = 2;
 
 /// Ray-traced visibility with many rays where it matters: a pixel whose 64 first rays, and those of
 /// its eight neighbours, are all hidden or all not keeps that value; every other one gets `rays`.

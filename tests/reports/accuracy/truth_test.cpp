@@ -4,6 +4,7 @@
 
 #include "functional/reference/reference.h"
 #include "functional/scene/scene_file.h"
+#include "reports/accuracy/measure.h"
 
 namespace wedgesim::reports::accuracy {
 namespace {
@@ -15,7 +16,8 @@ TEST(ReferenceWhereItMatters, IsTheFullReferenceInAndAroundPenumbrae) {
   const auto window = functional::make_window(scene.camera, scene.width, scene.height);
   const auto depth =
       functional::render_depth(window, scene.objects, traces::fb::DepthFormat_float32);
-  const std::vector<float> full = functional::reference_visibility(scene, window, depth, 1024);
+  const std::vector<float> full =
+      functional::reference_visibility(scene, window, depth, 1024, kTruthSeed);
   const std::vector<float> sparing = reference_where_it_matters(scene, window, depth, 1024);
   std::size_t penumbra = 0;
   std::size_t wrong = 0;
@@ -29,6 +31,20 @@ TEST(ReferenceWhereItMatters, IsTheFullReferenceInAndAroundPenumbrae) {
   }
   EXPECT_GT(penumbra, 100U);
   EXPECT_LE(wrong, full.size() / 200);
+}
+
+// Rays are not held against themselves: with as many of others, both errors add up.
+TEST(ReferenceWhereItMatters, IsOfRaysOfItsOwn) {
+  functional::SceneOptions options;
+  options.size = {96, 64};
+  const functional::Scene scene = functional::load_scene("plain-columns", options);
+  const auto rmse = [&](int rays) {
+    const MeasureOptions measured{
+        .choices = {functional::choose_method("", "raytraced-64")}, .rays = rays, .repetitions = 1};
+    return measure(scene, measured).methods.front().on(Region::penumbra).rmse;
+  };
+  EXPECT_GT(rmse(64), 1.2 * rmse(4096));
+  EXPECT_LT(rmse(64), 1.6 * rmse(4096));
 }
 
 TEST(ReferenceVisibility, TracesOnlyWantedPixels) {
