@@ -65,28 +65,29 @@ CoverageTexture::CoverageTexture(const Emission& emission, int side, CoverageWor
   CHECK_GE(side, kLeastSide);
   CHECK_LE(side, kMostSide);
   CHECK_EQ(side % 2, 0);
-  const auto ends = static_cast<std::size_t>(side * side);
-  const std::size_t values = ends * ends * static_cast<std::size_t>(channels_);
-  if (words == CoverageWords::bits8) {
-    bytes_.resize(values);
-  } else {
-    floats_.resize(values);
-  }
   const auto n = static_cast<std::size_t>(side);
-  for (std::size_t i = 0; i < ends; ++i) {
-    positions_.push_back(2.0 * glm::dvec2(i % n, i / n) / (side - 1.0) - 1.0);
+  for (std::size_t i = 0; i < n * n; ++i) {
+    places_.push_back(2.0 * glm::dvec2(i % n, i / n) - (side - 1.0));
   }
-  fill(emission);
+  if (words == CoverageWords::bits8) {
+    fill_words(emission);
+  } else {
+    fill_floats(emission);
+  }
 }
 
-void CoverageTexture::fill(const Emission& emission) {
-  const auto ends = static_cast<std::size_t>(side_ * side_);
-  const std::vector<glm::dvec2>& at = positions_;
+template <typename Put>
+void CoverageTexture::fill(const Emission& emission, const Put& put) const {
+  const std::size_t ends = places_.size();
+  std::vector<glm::dvec2> at;
   std::vector<Emission::Colour> round(ends);
-  for (std::size_t i = 0; i < ends; ++i) round[i] = emission.round(at[i]);
+  for (std::size_t i = 0; i < ends; ++i) {
+    at.push_back(places_[i] / (side_ - 1.0));
+    round[i] = emission.round(at[i]);
+  }
   tbb::parallel_for(std::size_t{0}, ends, [&](std::size_t i) {
     for (std::size_t j = i + 1; j < ends; ++j) {
-      const double cross = cross_2d(at[i], at[j]);
+      const double cross = cross_2d(places_[i], places_[j]);
       const std::size_t from = cross >= 0.0 ? i : j;
       const std::size_t to = cross >= 0.0 ? j : i;
       const Emission::Colour along = emission.along(at[from], at[to]);
@@ -98,26 +99,50 @@ void CoverageTexture::fill(const Emission& emission) {
         part[c] = std::clamp(round[to][c] - round[from][c] + whole - along[c], 0.0, 1.0);
         reversed[c] = halves ? 1.0 - part[c] : part[c];
       }
-      put(from, to, part);
-      put(to, from, reversed);
+      put(from * ends + to, part);
+      put(to * ends + from, reversed);
     }
   });
 }
 
-void CoverageTexture::put(std::size_t from, std::size_t to, const Emission::Colour& part) {
+void CoverageTexture::fill_floats(const Emission& emission) {
   const auto channels = static_cast<std::size_t>(channels_);
-  const std::size_t first = (from * static_cast<std::size_t>(side_ * side_) + to) * channels;
-  for (std::size_t c = 0; c < channels; ++c) {
-    if (bytes_.empty()) {
-      floats_[first + c] = static_cast<float>(part[c]);
-    } else {
-      bytes_[first + c] = static_cast<std::uint8_t>(std::lround(255.0 * part[c]));
+  floats_.resize(places_.size() * places_.size() * channels);
+  fill(emission, [&](std::size_t entry, const Emission::Colour& part) {
+    for (std::size_t c = 0; c < channels; ++c) {
+      floats_[entry * channels + c] = static_cast<float>(part[c]);
     }
+  });
+}
+
+void CoverageTexture::fill_words(const Emission& emission) {
+  const auto channels = static_cast<std::size_t>(channels_);
+  const std::size_t stride = channels == 1 ? 1 : 4;
+  std::vector<std::uint8_t> bytes(places_.size() * places_.size() * stride);
+  fill(emission, [&](std::size_t entry, const Emission::Colour& part) {
+    for (std::size_t c = 0; c < channels; ++c) {
+      bytes[entry * stride + c] = static_cast<std::uint8_t>(std::lround(255.0 * part[c]));
+    }
+  });
+  words_.resize(bytes.size() / 4);
+  for (std::size_t i = 0; i < words_.size(); ++i) {
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 4; ++k) word |= std::uint32_t{bytes[4 * i + k]} << 8 * k;
+    words_[i] = static_cast<std::int32_t>(word);
   }
 }
 
-float CoverageTexture::value(std::size_t i) const {
-  return bytes_.empty() ? floats_[i] : static_cast<float>(bytes_[i]) / 255.0F;
+std::size_t CoverageTexture::bytes() const {
+  const auto values = places_.size() * places_.size() * static_cast<std::size_t>(channels_);
+  return floats_.empty() ? values : values * sizeof(float);
+}
+
+float CoverageTexture::value(std::size_t entry, std::size_t channel) const {
+  const auto channels = static_cast<std::size_t>(channels_);
+  if (!floats_.empty()) return floats_[entry * channels + channel];
+  const std::size_t byte = channels == 1 ? entry : 4 * entry + channel;
+  const auto word = static_cast<std::uint32_t>(words_[byte / 4]);
+  return static_cast<float>(word >> 8 * (byte % 4) & 255U) / 255.0F;
 }
 
 // Adds an entry as the chord has it.
@@ -128,16 +153,15 @@ void CoverageTexture::add(const Chord& chord, std::size_t from, std::size_t to, 
   float whole = 0.0F;
   float sign = 1.0F;
   if (cross_2d(chord.p, chord.q) < spacing * (4.0 + 2.0 * spacing)) {
-    const Chord entry{positions_[from], positions_[to]};
-    if (cross_2d(entry.p, entry.q) < 0.0) {
+    const Chord entry{places_[from] / (side_ - 1.0), places_[to] / (side_ - 1.0)};
+    if (cross_2d(places_[from], places_[to]) < 0.0) {
       sign = -1.0F;
       if (goes_through_centre(chord, entry)) whole = 1.0F;
     }
   }
-  const auto channels = static_cast<std::size_t>(channels_);
-  const std::size_t first = (from * static_cast<std::size_t>(side_ * side_) + to) * channels;
-  for (std::size_t c = 0; c < channels; ++c) {
-    sum[c] += weight * (whole + sign * value(first + c));
+  const std::size_t number = from * places_.size() + to;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
+    sum[c] += weight * (whole + sign * value(number, c));
   }
 }
 

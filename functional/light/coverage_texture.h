@@ -12,6 +12,7 @@
 namespace wedgesim::functional {
 
 enum class CoverageWords { float32, bits8 };
+enum class TextureFilter { nearest, quadlinear };
 
 /// A table of what every chord of a rectangular light hides: f(x1, y1, x2, y2) for n × n ends each,
 /// evenly from border to border.
@@ -36,20 +37,33 @@ class CoverageTexture {
   std::array<float, 3> quadlinear(const glm::dvec2& p, const glm::dvec2& q) const;
 
   int channels() const { return channels_; }
-  std::size_t bytes() const { return floats_.size() * sizeof(float) + bytes_.size(); }
+  /// At the words' widths; in memory three bytes take four.
+  std::size_t bytes() const;
+
+  // What nearest() and quadlinear() read, for many chords at once (texture_simd.h): entries are
+  // from · n² + to, from and to row · n + column.
+  int side() const { return side_; }
+  /// (entry, channel); null if words of 8 bits.
+  const float* floats() const { return floats_.empty() ? nullptr : floats_.data(); }
+  /// Bytes from the lowest of a word on, 255 is the whole light: of one channel four entries a
+  /// word, of three one. Null if floats.
+  const std::int32_t* bytes_in_words() const { return words_.empty() ? nullptr : words_.data(); }
 
  private:
-  void fill(const Emission& emission);
-  void put(std::size_t from, std::size_t to, const Emission::Colour& part);
-  float value(std::size_t i) const;
+  // Calls put(entry, part) for all entries, in parallel.
+  template <typename Put>
+  void fill(const Emission& emission, const Put& put) const;
+  void fill_floats(const Emission& emission);
+  void fill_words(const Emission& emission);
+  float value(std::size_t entry, std::size_t channel) const;
   void add(const Chord& chord, std::size_t from, std::size_t to, float weight,
            std::array<float, 3>& sum) const;
 
   int side_;
   int channels_;
-  std::vector<glm::dvec2> positions_;  // of an end's entries, row-major n × n
-  std::vector<float> floats_;  // (from, to, channels), from and to row-major n × n; or empty:
-  std::vector<std::uint8_t> bytes_;  // the same, 255 is the whole light
+  std::vector<glm::dvec2> places_;  // of an end's entries, in half spacings: whole numbers
+  std::vector<float> floats_;       // or empty:
+  std::vector<std::int32_t> words_;
 };
 
 /// The texture of a light, made once: a light, or each picture of a short sequence, keeps its own

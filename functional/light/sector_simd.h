@@ -7,16 +7,13 @@
 #define WEDGESIM_FUNCTIONAL_LIGHT_SECTOR_SIMD_H
 #endif
 
-#include "functional/light/coverage_simd.h"
+#include "functional/light/chord_simd.h"
 #include "functional/light/shader_tables.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace wedgesim::functional {
 namespace HWY_NAMESPACE {
 namespace {
-
-constexpr hn::RebindToSigned<D> kInts;
-using I = hn::Vec<decltype(kInts)>;
 
 // AngleMap::angle, whatever a lane holds that does not count.
 HWY_INLINE V looked_up_angle(const SectorTable& table, V x, V y) {
@@ -52,42 +49,29 @@ struct SectorPlace {
 HWY_INLINE V mixed(V a, V b, V weight) { return hn::Add(a, hn::Mul(weight, hn::Sub(b, a))); }
 
 // SectorTable::coverage.
-HWY_INLINE V sector_coverage(const SectorTable& table, V px, V py, V qx, V qy) {
-  const SectorPlace p(looked_up_angle(table, px, py));
-  const SectorPlace q(looked_up_angle(table, qx, qy));
+HWY_INLINE V sector_coverage(const SectorTable& table, const Chords& chords) {
+  const SectorPlace p(looked_up_angle(table, chords.px, chords.py));
+  const SectorPlace q(looked_up_angle(table, chords.qx, chords.qy));
   const auto row = [&](I j) HWY_ATTR {
     const I begin = hn::Mul(j, hn::Set(kInts, SectorTable::kSide));
     return mixed(hn::GatherIndex(kTag, table.areas(), hn::Add(begin, p.first)),
                  hn::GatherIndex(kTag, table.areas(), hn::Add(begin, p.second)), p.weight);
   };
   const V sector = mixed(row(q.first), row(q.second), q.weight);
-  const V cross = hn::Sub(hn::Mul(px, qy), hn::Mul(py, qx));
-  const V part =
-      hn::Mul(hn::Sub(sector, hn::Mul(set(0.5F), hn::Abs(cross))), set(1.0F / table.light_area()));
+  const V part = hn::Mul(hn::Sub(sector, hn::Mul(set(0.5F), hn::Abs(chords.cross()))),
+                         set(1.0F / table.light_area()));
   return hn::Min(hn::Max(part, hn::Zero(kTag)), set(0.5F));
 }
 
-HWY_INLINE V signed_share(M inner, V covered) {
-  return hn::IfThenElse(inner, covered, hn::Neg(covered));
-}
-
-/// A rectangular light (Paper IV, 4.2.2): clipping as RectangleShare, then the tables.
-struct RectangleTableShare {
-  static constexpr std::size_t kForms = RectangleShare::kForms;
+/// A rectangular light (Paper IV, 4.2.2).
+struct SquareLookup {
   static constexpr std::size_t kChannels = 1;
   const SectorTable& square;
-
-  HWY_INLINE M operator()(const V* forms, const ScreenWedge&, M inner, V* shares, M&) const {
-    const SeenEdge seen = see_edge(forms);
-    if (hn::AllFalse(kTag, seen.alive)) return seen.alive;
-    const V zero = hn::Zero(kTag);
-    const M counts = hn::And(seen.alive, hn::And(hn::Gt(seen.pw, zero), hn::Gt(seen.qw, zero)));
-    const V covered = sector_coverage(square, hn::Div(seen.pu, seen.pw), hn::Div(seen.pv, seen.pw),
-                                      hn::Div(seen.qu, seen.qw), hn::Div(seen.qv, seen.qw));
-    shares[0] = signed_share(inner, covered);
-    return counts;
+  HWY_INLINE void operator()(const Chords& chords, M, V* parts) const {
+    parts[0] = sector_coverage(square, chords);
   }
 };
+using RectangleTableShare = ChordShare<SquareLookup>;
 
 struct V3 {
   V x, y, z;
@@ -182,9 +166,8 @@ struct SphereTableShare {
     };
     const V3 p = at(part.first);
     const V3 q = at(part.last);
-    const V covered = sector_coverage(disc, hn::Div(p.x, p.z), hn::Div(p.y, p.z), hn::Div(q.x, q.z),
-                                      hn::Div(q.y, q.z));
-    shares[0] = signed_share(inner, covered);
+    const Chords chords{hn::Div(p.x, p.z), hn::Div(p.y, p.z), hn::Div(q.x, q.z), hn::Div(q.y, q.z)};
+    shares[0] = signed_share(inner, sector_coverage(disc, chords));
     return hn::And(part.alive, hn::And(hn::Gt(p.z, zero), hn::Gt(q.z, zero)));
   }
 };

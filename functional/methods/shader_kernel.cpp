@@ -68,14 +68,14 @@ void draw_split(const Share& share, const VolumeFrame& frame, VolumeRow& row) {
 }
 
 void draw_table_rectangle(const SectorTable& table, const VolumeFrame& frame, VolumeRow& row) {
-  draw_row_by(RectangleTableShare{table}, frame, row);
+  draw_row_by(RectangleTableShare{{table}}, frame, row);
 }
 void draw_table_sphere(const SectorTable& table, const VolumeFrame& frame, VolumeRow& row) {
   draw_row_by(SphereTableShare{table}, frame, row);
 }
 void draw_split_table_rectangle(const SectorTable& table, const VolumeFrame& frame,
                                 VolumeRow& row) {
-  draw_split(RectangleTableShare{table}, frame, row);
+  draw_split(RectangleTableShare{{table}}, frame, row);
 }
 void draw_split_table_sphere(const SectorTable& table, const VolumeFrame& frame, VolumeRow& row) {
   draw_split(SphereTableShare{table}, frame, row);

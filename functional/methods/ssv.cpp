@@ -6,19 +6,17 @@
 #include "base/error.h"
 #include "functional/light/coverage_texture.h"
 #include "functional/light/split_word.h"
-#include "functional/methods/chord_kernel.h"
 #include "functional/methods/ssv_kernel.h"
+#include "functional/methods/texture_kernel.h"
 #include "functional/methods/volume_pass.h"
 #include "functional/scene/light_texture.h"
 
 namespace wedgesim::functional {
 namespace {
 
-enum class Filter { nearest, quadlinear };
-
 struct SsvOptions {
   int side = 0;  // of the coverage texture; 0: exact clipping
-  Filter filter = Filter::nearest;
+  TextureFilter filter = TextureFilter::nearest;
   CoverageWords words = CoverageWords::bits8;
   bool short_words = false;  // of the V-buffer
 };
@@ -33,30 +31,12 @@ SsvOptions read_ssv_options(const MethodOptions& options) {
                                               {"32", 32},
                                               {"48", 48},
                                               {"64", 64}});
-  read.filter = options.choice<Filter>(
-      "filter", {{"nearest", Filter::nearest}, {"quadlinear", Filter::quadlinear}});
+  read.filter = options.choice<TextureFilter>(
+      "filter", {{"nearest", TextureFilter::nearest}, {"quadlinear", TextureFilter::quadlinear}});
   read.words = options.choice<CoverageWords>(
       "words", {{"8bit", CoverageWords::bits8}, {"float", CoverageWords::float32}});
   read.short_words = options.choice<bool>("vbuffer", {{"float", false}, {"8bit", true}});
   return read;
-}
-
-// What a chord hides, if it is not left to exact clipping of an even light.
-ChordLookup make_lookup(const Light& light, const SsvOptions& options) {
-  if (options.side > 0) {
-    const auto table = coverage_texture(light.texture, options.side, options.words);
-    if (options.filter == Filter::nearest) {
-      return [table](const glm::dvec2& p, const glm::dvec2& q) { return table->nearest(p, q); };
-    }
-    return [table](const glm::dvec2& p, const glm::dvec2& q) { return table->quadlinear(p, q); };
-  }
-  if (!light.texture) return {};
-  return [emission = Emission(emission_shares(*light.texture))](const glm::dvec2& p,
-                                                                const glm::dvec2& q) {
-    const Emission::Colour part = emission.beyond(p, q);
-    return std::array{static_cast<float>(part[0]), static_cast<float>(part[1]),
-                      static_cast<float>(part[2])};
-  };
 }
 
 void refuse_what_is_not_treated(const Scene& scene, const SsvOptions& options) {
@@ -71,12 +51,14 @@ void refuse_what_is_not_treated(const Scene& scene, const SsvOptions& options) {
 
 DrawRow make_kernel(const Light& light, const SsvOptions& options) {
   if (light.shape == LightShape::point) return hard_kernel();
-  ChordLookup lookup = make_lookup(light, options);
-  if (options.short_words) {
-    return lookup ? short_chord_kernel(std::move(lookup)) : short_coverage_kernel(light.shape);
+  if (options.side > 0) {
+    const auto table = coverage_texture(light.texture, options.side, options.words);
+    return options.short_words ? short_texture_kernel(table, options.filter)
+                               : texture_kernel(table, options.filter);
   }
-  if (!lookup) return coverage_kernel(light.shape);
-  return chord_kernel(std::move(lookup), light.texture ? 3 : 1);
+  if (options.short_words) return short_coverage_kernel(light.shape);
+  if (light.texture) return emission_kernel(Emission(emission_shares(*light.texture)));
+  return coverage_kernel(light.shape);
 }
 
 // (channel, height, width) to (height, width, channel).
@@ -116,7 +98,7 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
   MethodAccesses& accesses = result.accesses;
   const auto count_lookups = [&](int channels) {
     if (own.side == 0) return;
-    accesses.map_reads = pass.shares() * (own.filter == Filter::nearest ? 1 : 16);
+    accesses.map_reads = pass.shares() * (own.filter == TextureFilter::nearest ? 1 : 16);
     const std::uint64_t word_bytes = own.words == CoverageWords::bits8 ? 1 : sizeof(float);
     accesses.bytes += accesses.map_reads * word_bytes * static_cast<std::uint64_t>(channels);
   };

@@ -9,17 +9,14 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
-#include <numeric>
 #include <string>
 
-#include "functional/light/coverage.h"
 #include "functional/light/shader_tables.h"
-#include "functional/methods/brute_force.h"
-#include "functional/methods/frame.h"
 #include "functional/methods/render.h"
 #include "functional/reference/reference.h"
 #include "functional/scene/primitives.h"
 #include "functional/scene/scene_file.h"
+#include "tests/functional/methods/by_hand.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -35,55 +32,16 @@ View view_of(const Scene& scene, const std::string& options) {
   return render_view(scene, choose_method("test", "ssv-optimized" + options));
 }
 
-// What a pixel is made of: whole shadows, and what its edges hide, below 0 if it is taken away.
-struct Pixel {
-  double umbra = 1.0;
-  std::vector<float> shares;
-};
-
-float by_tables(LightShape shape, const glm::dvec3& point, const ShadowWedge& wedge) {
-  static const SectorTable disc = SectorTable::disc();
-  static const SectorTable square = SectorTable::square();
-  return shape == LightShape::sphere
-             ? shader_sphere_coverage(disc, point, wedge.light_begin, wedge.light_end)
-             : shader_rectangle_coverage(square, point, wedge.light_begin, wedge.light_end);
-}
-
-std::vector<Pixel> pixels_by_hand(const Scene& scene, const View& view, bool tables) {
-  FrameOptions options;
-  options.depth = &view.depth;
-  options.depth_format = view.depth.format;
-  const Frame frame = make_frame(scene, options);
-  std::vector<std::size_t> all(view.depth.words.size());
-  std::iota(all.begin(), all.end(), 0);
-  const std::vector<double> exact =
-      brute_force_light_intensity(scene, frame.window, frame.depth, frame.geometry, all);
-  const glm::dmat4 to_light = light_from_world(scene.light);
-  std::vector<Pixel> pixels(all.size());
-  for (const std::size_t i : all) {
-    if (view.depth.triangle[i] == DepthBuffer::kSky) continue;
-    const auto width = static_cast<std::size_t>(view.window.width);
-    const glm::dvec3 p = world_point(view.window, static_cast<double>(i % width) + 0.5,
-                                     static_cast<double>(i / width) + 0.5,
-                                     traces::decode_depth(view.depth.format, view.depth.words[i]));
-    const glm::dvec3 in_light(to_light * glm::dvec4(p, 1.0));
-    double umbra = exact[i];
-    for (const ShadowWedge& wedge : frame.geometry.wedges) {
-      const double sign = wedge.umbra_plane.inside(p) ? 1.0 : -1.0;
-      const double covered =
-          coverage(scene.light.shape, in_light, wedge.light_begin, wedge.light_end);
-      umbra -= sign * covered;
-      const float is =
-          tables ? by_tables(scene.light.shape, in_light, wedge) : static_cast<float>(covered);
-      if (is > 0.0F) pixels[i].shares.push_back(static_cast<float>(sign) * is);
-    }
-    pixels[i].umbra = std::round(umbra);
-  }
-  return pixels;
-}
-
-double in_floats(const Pixel& pixel) {
-  return std::accumulate(pixel.shares.begin(), pixel.shares.end(), pixel.umbra);
+EdgeShare edge_share(LightShape shape, bool tables) {
+  return [shape, tables](const glm::dvec3& point, const ShadowWedge& wedge) {
+    static const SectorTable disc = SectorTable::disc();
+    static const SectorTable square = SectorTable::square();
+    const glm::dvec3& begin = wedge.light_begin;
+    const glm::dvec3& end = wedge.light_end;
+    if (!tables) return static_cast<float>(coverage(shape, point, begin, end));
+    return shape == LightShape::sphere ? shader_sphere_coverage(disc, point, begin, end)
+                                       : shader_rectangle_coverage(square, point, begin, end);
+  };
 }
 
 double in_split_words(const Pixel& pixel) {
@@ -93,32 +51,6 @@ double in_split_words(const Pixel& pixel) {
     (share > 0.0F ? added : taken).add(split_coverage(std::abs(share)));
   }
   return pixel.umbra + static_cast<double>(added.unpack() - taken.unpack()) / SplitWord::kWhole;
-}
-
-struct Difference {
-  double largest = 0.0;
-  double share_off = 0.0;  // of the pixels that some edge counts in, more than `same`
-  int beyond = 0;          // pixels, more than `flip` for each end of an edge
-};
-
-template <typename Sum>
-Difference compare(const std::vector<float>& values, const std::vector<Pixel>& pixels,
-                   const Sum& sum, double same, double flip = 0.0) {
-  Difference difference;
-  int off = 0;
-  int seen = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (pixels[i].shares.empty()) continue;
-    const double d = std::abs(static_cast<double>(values[i]) - sum(pixels[i]));
-    difference.largest = std::max(difference.largest, d);
-    const double ends = 2.0 * static_cast<double>(pixels[i].shares.size());
-    difference.beyond += d > same + ends * flip ? 1 : 0;
-    off += d > same ? 1 : 0;
-    ++seen;
-  }
-  EXPECT_GT(seen, 300);
-  difference.share_off = static_cast<double>(off) / seen;
-  return difference;
 }
 
 class ShaderKernel : public testing::TestWithParam<LightShape> {};
@@ -140,8 +72,9 @@ TEST_P(ShaderKernel, IsTheShaderSummedOverAllEdges) {
   for (const char* name : {"cylinder", "columns", "fractal"}) {
     const Scene scene = scene_of(name, GetParam());
     const View view = view_of(scene, ":shader=tables");
-    const Difference off = compare(view.visibility.values, pixels_by_hand(scene, view, true),
-                                   in_floats, 1e-4, 1.01 * flip);
+    const Difference off =
+        compare(view.visibility.values, pixels_by_hand(scene, view, edge_share(GetParam(), true)),
+                in_floats, 1e-4, 1.01 * flip);
     std::cout << name << ": largest difference " << off.largest << ", more than 1e-4 at "
               << 100.0 * off.share_off << " % of the pixels, not explained at " << off.beyond
               << '\n';
@@ -156,7 +89,8 @@ TEST_P(ShaderKernel, SplitsAsTheWordsDo) {
     const Scene scene = scene_of("plain-columns", GetParam());
     const View view = view_of(scene, tables ? ":shader=tables,vbuffer=12bit" : ":vbuffer=12bit");
     const Difference off =
-        compare(view.visibility.values, pixels_by_hand(scene, view, tables), in_split_words, 1e-4);
+        compare(view.visibility.values, pixels_by_hand(scene, view, edge_share(GetParam(), tables)),
+                in_split_words, 1e-4);
     std::cout << (tables ? "tables" : "exact") << ": largest difference " << off.largest
               << ", some at " << 100.0 * off.share_off << " % of the pixels\n";
     EXPECT_LT(off.largest, tables ? 0.01 : 4.5 / SplitWord::kWhole);
@@ -186,7 +120,7 @@ TEST_P(ShaderKernel, ComponentsStayAt255) {
     scene.objects.push_back(picket);
   }
   const View view = view_of(scene, ":vbuffer=12bit");
-  const std::vector<Pixel> pixels = pixels_by_hand(scene, view, false);
+  const std::vector<Pixel> pixels = pixels_by_hand(scene, view, edge_share(GetParam(), false));
   const Difference off = compare(view.visibility.values, pixels, in_split_words, 0.05);
   const Difference lost = compare(view.visibility.values, pixels, in_floats, 0.05);
   std::cout << "of the words by hand: " << off.largest << ", " << 100.0 * off.share_off

@@ -141,8 +141,13 @@ TEST(Ssv, DoesNotDependOnTheThreads) {
 TEST(Ssv, DoesNotDependOnTheInstructionSet) {
   for (const LightShape shape : {LightShape::rectangle, LightShape::sphere}) {
     const Scene scene = scene_of("fractal", shape);
-    for (const char* method : {"ssv", "ssv:vbuffer=8bit", "ssv-optimized:shader=tables",
-                               "ssv-optimized:shader=tables,vbuffer=12bit"}) {
+    std::vector<std::string> methods{"ssv", "ssv:vbuffer=8bit", "ssv-optimized:shader=tables",
+                                     "ssv-optimized:shader=tables,vbuffer=12bit"};
+    if (shape == LightShape::rectangle) {
+      methods.push_back("ssv:texture=16");
+      methods.push_back("ssv:texture=16,filter=quadlinear,words=float");
+    }
+    for (const std::string& method : methods) {
       const std::vector<float> widest = render_by(scene, method).values;
       for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
         hwy::SetSupportedTargetsForTest(target);
