@@ -4,132 +4,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "base/error.h"
 #include "functional/geometry/extent.h"
 #include "functional/methods/d_buffer_map.h"
+#include "functional/methods/d_buffer_pixels.h"
 #include "functional/methods/stopwatch.h"
 
 namespace wedgesim::functional {
 namespace {
 
-enum class Falloff { smooth, sqrt, exact };
-enum class Parameter { derived, printed };
-
-struct PixelOptions {
-  Falloff falloff = Falloff::smooth;
-  Parameter parameter = Parameter::derived;
-  bool bilinear = false;
-};
-
-// How far x at distance d is through the penumbra of an edge at |cx_s| from where its volume's side
-// is crossed at `crossed`: 0 there, 1/2 at the plane through the centre and the edge.
-double through(double d, double crossed, double edge, Parameter parameter) {
-  const double beyond = parameter == Parameter::derived ? d - edge : crossed - edge;
-  return edge * (d - crossed) / (2.0 * crossed * beyond);
-}
-
-// The visible part of the disk beside a straight edge that leaves the part t of its diameter.
-float visible_part(double t, Falloff falloff) {
-  switch (falloff) {
-    case Falloff::smooth:
-      return static_cast<float>((3.0 - 2.0 * t) * t * t);
-    case Falloff::sqrt:
-      return static_cast<float>(std::sqrt(t));
-    case Falloff::exact:
-      break;
-  }
-  const double s = 1.0 - 2.0 * t;  // the edge's distance from the centre, radii
-  return static_cast<float>((std::acos(s) - s * std::sqrt(1.0 - s * s)) / M_PI);
-}
-
-class Pixels {
- public:
-  Pixels(const MethodInput& input, const LightDisk& disk, const DBuffer& map,
-         const PixelOptions& options)
-      : input_(input), map_(map), options_(options), rays_(map.view) {
-    for (const Object& object : input.scene.objects) {
-      for (const auto& t : object.mesh.triangles) {
-        const auto& p = object.mesh.positions;
-        const bool away = disk_facing(disk, {p[t[0]], p[t[1]], p[t[2]]}) < DiskFacing::front_belt;
-        unlit_.push_back(object.casts && away);
-      }
-    }
-  }
-
-  // Visibility at texel (x, y) of a point at distance d; 1 outside the map.
-  float at_texel(int x, int y, double d, bool unlit) const {
-    if (x < 0 || y < 0 || x >= map_.width || y >= map_.width) return 1.0F;
-    const auto texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.width) +
-                       static_cast<std::size_t>(x);
-    const double umbra = map_.umbra[texel];
-    const Parameter parameter = options_.parameter;
-    if (umbra > 0.0 && (unlit || d > map_.occluder[texel])) {
-      if (!(d > umbra)) return 0.0F;
-      const double t = through(d, umbra, map_.umbra_edge[texel], parameter);
-      return visible_part(std::clamp(t, 0.0, 1.0), options_.falloff);
-    }
-    const double penumbra = map_.penumbra[texel];
-    if (!(d > penumbra)) return 1.0F;
-    const auto& edges = map_.penumbra_edge.empty() ? map_.umbra_edge : map_.penumbra_edge;
-    const double t = 1.0 - through(d, penumbra, edges[texel], parameter);
-    return visible_part(std::clamp(t, 0.0, 1.0), options_.falloff);
-  }
-
-  // Visibility of a pixel that is not sky, and how many texels were looked up.
-  float at_pixel(int x, int y, std::size_t pixel, std::uint64_t& lookups) const {
-    const double z = traces::decode_depth(input_.depth.format, input_.depth.words[pixel]);
-    const MapPlace place = place_in(map_.view, world_point(input_.window, x + 0.5, y + 0.5, z));
-    if (!(place.w > 0.0) || !(place.x > -1.0 && place.y > -1.0) ||
-        !(place.x < map_.width + 1.0 && place.y < map_.width + 1.0)) {
-      return 1.0F;
-    }
-    const double d = place.w * rays_.length(place.x, place.y);
-    const bool unlit = unlit_[input_.depth.triangle[pixel]];
-    if (!options_.bilinear) {
-      ++lookups;
-      return at_texel(static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y)),
-                      d, unlit);
-    }
-    lookups += 4;
-    const double left = std::floor(place.x - 0.5);
-    const double top = std::floor(place.y - 0.5);
-    const auto fx = static_cast<float>(place.x - 0.5 - left);
-    const auto fy = static_cast<float>(place.y - 0.5 - top);
-    const int ix = static_cast<int>(left);
-    const int iy = static_cast<int>(top);
-    const float upper =
-        (1.0F - fx) * at_texel(ix, iy, d, unlit) + fx * at_texel(ix + 1, iy, d, unlit);
-    const float lower =
-        (1.0F - fx) * at_texel(ix, iy + 1, d, unlit) + fx * at_texel(ix + 1, iy + 1, d, unlit);
-    return (1.0F - fy) * upper + fy * lower;
-  }
-
-  // \return texels looked up
-  std::uint64_t render(std::vector<float>& values) const {
-    const auto width = static_cast<std::size_t>(input_.window.width);
-    std::vector<std::uint64_t> lookups(static_cast<std::size_t>(input_.window.height), 0);
-    tbb::parallel_for(0, input_.window.height, [&](int y) {
-      const std::size_t row = static_cast<std::size_t>(y) * width;
-      for (int x = 0; x < input_.window.width; ++x) {
-        const std::size_t pixel = row + static_cast<std::size_t>(x);
-        if (input_.depth.triangle[pixel] == DepthBuffer::kSky) continue;
-        values[pixel] = at_pixel(x, y, pixel, lookups[static_cast<std::size_t>(y)]);
-      }
-    });
-    return std::accumulate(lookups.begin(), lookups.end(), std::uint64_t{0});
-  }
-
- private:
-  const MethodInput& input_;
-  const DBuffer& map_;
-  PixelOptions options_;
-  MapRays rays_;
-  std::vector<bool> unlit_;  // of each triangle of the scene: a caster's, the centre behind it
-};
+using Falloff = DBufferPixels::Falloff;
+using Parameter = DBufferPixels::Parameter;
 
 // \return the height above the disk of the farthest vertex of the scene
 double check_heights(const Scene& scene, const LightDisk& disk) {
@@ -148,6 +35,22 @@ double check_heights(const Scene& scene, const LightDisk& disk) {
   return most;
 }
 
+// Of each triangle of the scene: whether it is a caster's and the disk's centre is behind it.
+std::vector<std::uint8_t> unlit_triangles(const Scene& scene,
+                                          const std::vector<DiskSilhouettes>& silhouettes) {
+  std::vector<std::uint8_t> unlit;
+  std::size_t caster = 0;
+  for (const Object& object : scene.objects) {
+    const std::size_t first = unlit.size();
+    unlit.resize(first + object.mesh.triangles.size(), 0);
+    if (!object.casts) continue;
+    std::ranges::transform(silhouettes[caster++].facings,
+                           unlit.begin() + static_cast<std::ptrdiff_t>(first),
+                           [](DiskFacing facing) { return facing < DiskFacing::front_belt; });
+  }
+  return unlit;
+}
+
 Visibility render(const MethodInput& input, const MethodOptions& options) {
   DBufferOptions map_options;
   map_options.resolution = options.integer("resolution", 1024, 128, 4096);
@@ -157,7 +60,7 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
   map_options.distances = options.choice<Distances>(
       "distances", {{"exact", Distances::exact}, {"interpolated", Distances::interpolated}});
   map_options.two_edges = options.integer("channels", 4, 4, 5) == 5;
-  PixelOptions pixel_options;
+  DBufferPixels pixel_options;
   pixel_options.falloff = options.choice<Falloff>(
       "falloff", {{"smooth", Falloff::smooth}, {"sqrt", Falloff::sqrt}, {"exact", Falloff::exact}});
   pixel_options.parameter = options.choice<Parameter>(
@@ -196,16 +99,19 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
 
   result.values.assign(input.depth.words.size(), 1.0F);
   const std::uint64_t lookups =
-      map.width == 0 ? 0 : Pixels(input, disk, map, pixel_options).render(result.values);
+      map.width == 0 ? 0
+                     : look_up_pixels(input, map, unlit_triangles(scene, silhouettes),
+                                      pixel_options, result.values);
   stopwatch.end("pixels");
   MethodAccesses& accesses = result.accesses;
   accesses.z_reads = result.values.size();
   accesses.li_writes = result.values.size();
-  accesses.map_reads = map.tests + lookups;
-  accesses.map_writes = map.writes;
+  accesses.map_reads = map.count.tests + lookups;
+  accesses.map_writes = map.count.writes;
   const std::uint64_t texel_bytes = map_options.two_edges ? 20 : 16;
   accesses.bytes =
-      4 * (accesses.z_reads + accesses.li_writes + map.tests + map.writes) + texel_bytes * lookups;
+      4 * (accesses.z_reads + accesses.li_writes + map.count.tests + map.count.writes) +
+      texel_bytes * lookups;
   return result;
 }
 

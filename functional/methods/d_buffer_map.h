@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "functional/geometry/disk_volumes.h"
@@ -27,20 +30,27 @@ struct DBufferOptions {
   bool two_edges = false;
 };
 
-/// What the light disk's centre c sees in each texel, as distances from c (seed 002, section 3).
-/// Beyond where a distance is not there, infinity stands for it.
+/// What the light disk's centre c sees in each texel (seed 002, section 3), by inverse distances
+/// from c: what is not there is at infinity, 0, and shares of a penumbra need no division but one.
 struct DBuffer {
+  struct Texel {
+    /// 1/|cx_o|: a little before the ray leaves the first caster, so that texels take neither what
+    /// the light falls on nor what the caster stands on for the other side.
+    float occluder;
+    float umbra;     // 1/|cx_uv|: where it leaves the umbra; -1 where it enters none
+    float penumbra;  // 1/|cx_pv|: where it enters the penumbra
+    float edge;      // 1/|cx_s|
+  };
+  struct Count {
+    std::uint64_t tests = 0;   // texels that drawn triangles cover, each read once
+    std::uint64_t writes = 0;  // texels that they changed
+  };
+
   LightView view;  // of width 0 if nothing casts
   int width = 0;   // texels of one row
-  /// |cx_o|: a little before the ray leaves the first caster, so that texels take neither what the
-  /// light falls on nor what the caster stands on for the other side.
-  std::vector<float> occluder;
-  std::vector<float> umbra;          // |cx_uv|: where it leaves the umbra; 0 where it enters none
-  std::vector<float> penumbra;       // |cx_pv|: where it enters the penumbra
-  std::vector<float> umbra_edge;     // |cx_s| for |cx_uv|
-  std::vector<float> penumbra_edge;  // |cx_s| for |cx_pv|
-  std::uint64_t tests = 0;           // texels that drawn triangles cover, each read once
-  std::uint64_t writes = 0;          // texels that they changed
+  std::unique_ptr<Texel[]> texels;
+  std::unique_ptr<float[]> penumbra_edge;  // 1/|cx_s| for |cx_pv|, if it is kept apart
+  Count count;
 };
 
 /// Draws the D-buffer of a scene.

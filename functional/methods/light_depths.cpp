@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "functional/raster/light_map.h"
+#include "functional/raster/spans.h"
 
 namespace wedgesim::functional {
 namespace {

@@ -1,18 +1,20 @@
 #include "functional/raster/light_map.h"
 
-#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <numeric>
 
 #include "base/check.h"
+#include "functional/raster/spans.h"
 #include "functional/scene/across.h"
 
 namespace wedgesim::functional {
 namespace {
 
 constexpr double kMargin = 0.5;  // texels
-constexpr std::size_t kTrianglesATask = 1024;
+constexpr std::size_t kTrianglesATask = 512;
 
 // Multiplies a view's window x by sx and adds tx, and so in y.
 void rescale(LightView& view, double sx, double tx, double sy, double ty) {
@@ -46,26 +48,59 @@ glm::dmat3 columns_of(const LightView& view, const std::array<glm::dvec3, 3>& co
   return columns;
 }
 
-// Adds a part of a triangle's outline, unless it covers nothing.
-void add_part(std::uint32_t index, const glm::dmat3& columns, double w_low, double w_high,
-              std::span<const SnappedPoint> outline, std::vector<MapTriangle>& result) {
-  const std::int64_t area = doubled_area(outline);
-  if (area == 0) return;
-  MapTriangle& triangle = result.emplace_back();
-  triangle.index = index;
-  triangle.faces_light = area < 0;
-  CHECK_LE(outline.size(), triangle.outline.size());
-  std::copy(outline.begin(), outline.end(), triangle.outline.begin());
-  triangle.corners = static_cast<std::uint32_t>(outline.size());
-  triangle.inverse_corners = glm::inverse(columns);
-  triangle.inverse_w = triangle.over_w({1.0, 1.0, 1.0});
-  triangle.w_low = w_low;
-  triangle.w_high = w_high;
+bool is_finite(const glm::dmat3& m) {
+  bool finite = true;
+  for (int i = 0; i < 3; ++i) {
+    finite &= std::isfinite(m[i].x) && std::isfinite(m[i].y) && std::isfinite(m[i].z);
+  }
+  return finite;
 }
 
-void prepare(const LightView& view, double near, std::uint32_t index,
-             const std::array<glm::dvec3, 3>& corners, std::vector<MapTriangle>& result) {
-  const glm::dmat3 columns = columns_of(view, corners);
+// Adds the triangles of a part's outline that may cover the centre of a texel.
+void add_part(const MapTriangle& whole, int size, std::span<const SnappedPoint> outline,
+              bool one_sided, std::vector<MapTriangle>& result) {
+  for (std::size_t i = 2; i < outline.size(); ++i) {
+    const SnappedPoint& p = outline[0];
+    const SnappedPoint& q = outline[i - 1];
+    const SnappedPoint& r = outline[i];
+    const std::int64_t area = (std::int64_t{q.x} - p.x) * (std::int64_t{r.y} - p.y) -
+                              (std::int64_t{r.x} - p.x) * (std::int64_t{q.y} - p.y);
+    const auto [x_low, x_high] = std::minmax({p.x, q.x, r.x});
+    const auto [y_low, y_high] = std::minmax({p.y, q.y, r.y});
+    const bool centre =
+        std::max(0, (x_low + 127) >> 8) <= std::min(size - 1, (x_high - 128) >> 8) &&
+        std::max(0, (y_low + 127) >> 8) <= std::min(size - 1, (y_high - 128) >> 8);
+    if (area == 0 || !centre || (one_sided && area > 0)) continue;
+    MapTriangle& triangle = result.emplace_back(whole);
+    triangle.faces_light = area < 0;
+    triangle.corners = {{{p.x, p.y}, {q.x, q.y}, {r.x, r.y}}};
+  }
+}
+
+// f/w of a function f that is linear on a triangle, by its values at the corners.
+TexelPlane over_w(const glm::dmat3& inverse_columns, const std::array<double, 3>& values) {
+  const glm::dvec3 plane = glm::dvec3(values[0], values[1], values[2]) * inverse_columns;
+  return {plane.x, plane.y, plane.z};
+}
+
+void prepare(const LightView& view, double near, const MapTriangles::Input& input,
+             std::vector<MapTriangle>& result) {
+  const glm::dmat3 columns = columns_of(view, input.corners);
+  const auto [nearest, farthest] = std::minmax({columns[0].z, columns[1].z, columns[2].z});
+  const glm::dmat3 inverse = glm::inverse(columns);
+  MapTriangle triangle;
+  triangle.tag = input.tag;
+  triangle.inverse_low = 1.0 / farthest;
+  triangle.inverse_high = 1.0 / nearest;
+  if (is_finite(inverse)) {
+    triangle.inverse_w = over_w(inverse, {1.0, 1.0, 1.0});
+    triangle.value_over_w = over_w(inverse, input.value);
+    triangle.other_over_w = over_w(inverse, input.other);
+  } else {  // seen exactly edge-on
+    triangle.inverse_w.c = triangle.inverse_low;
+    triangle.value_over_w.c = triangle.inverse_low * input.value[0];
+    triangle.other_over_w.c = triangle.inverse_low * input.other[0];
+  }
   bool whole = true;  // neither near plane nor guard band cut it, as nearly always
   for (int i = 0; i < 3; ++i) {
     const glm::dvec3& p = columns[i];
@@ -78,18 +113,31 @@ void prepare(const LightView& view, double near, std::uint32_t index,
       const glm::dvec3& p = columns[i];
       outline[static_cast<std::size_t>(i)] = snap({p.x / p.z, p.y / p.z, 0.0});
     }
-    const auto [low, high] = std::minmax({columns[0].z, columns[1].z, columns[2].z});
-    add_part(index, columns, low, high, outline, result);
+    add_part(triangle, view.width, outline, input.one_sided, result);
     return;
   }
-  const std::vector<WindowPoint> points = clip_to_window(view, corners);
+  const std::vector<WindowPoint> points = clip_to_window(view, input.corners);
   if (points.size() < 3) return;
   const auto [low, high] = std::minmax_element(
       points.begin(), points.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
+  triangle.inverse_low = 1.0 / view_distance(view, high->z);
+  triangle.inverse_high = 1.0 / view_distance(view, low->z);
   for (const std::vector<SnappedPoint>& part : convex_parts(snap(points))) {
-    add_part(index, columns, view_distance(view, low->z), view_distance(view, high->z), part,
-             result);
+    add_part(triangle, view.width, part, input.one_sided, result);
   }
+}
+
+// Bands whose rows' centres a triangle may cover.
+struct BandRange {
+  std::size_t begin, end;
+};
+BandRange bands_of(const MapTriangle& triangle, int size) {
+  const auto& [p, q, r] = triangle.corners;
+  const auto [low, high] = std::minmax({p.y, q.y, r.y});
+  const int first = std::max(0, (low + 127) >> 8);
+  const int last = std::min(size - 1, (high - 128) >> 8);
+  return {static_cast<std::size_t>(first / MapTriangles::kBandRows),
+          static_cast<std::size_t>(last / MapTriangles::kBandRows) + 1};
 }
 
 }  // namespace
@@ -144,58 +192,37 @@ MapRays::MapRays(const LightView& view) {
   dy_ = (ray(0.0, view.height) - origin_) / static_cast<double>(view.height);
 }
 
-TexelPlane MapTriangle::over_w(const std::array<double, 3>& values) const {
-  const glm::dvec3 plane = glm::dvec3(values[0], values[1], values[2]) * inverse_corners;
-  return {plane.x, plane.y, plane.z};
-}
-
-MapTriangles::MapTriangles(const LightView& view,
-                           std::span<const std::array<glm::dvec3, 3>> triangles)
-    : size_(view.width), box_{view.width, 0, view.width, 0} {
-  const std::size_t tasks = (triangles.size() + kTrianglesATask - 1) / kTrianglesATask;
-  std::vector<std::vector<MapTriangle>> of_task(tasks);
-  const double near = tasks > 0 ? view_distance(view, 0.0) : 0.0;
+MapTriangles::MapTriangles(const LightView& view, std::size_t count,
+                           const std::function<Input(std::size_t)>& input) {
+  if (count == 0) return;
+  const double near = view_distance(view, 0.0);
+  const auto bands = static_cast<std::size_t>(MapTriangles::bands(view.width));
+  const std::size_t tasks = (count + kTrianglesATask - 1) / kTrianglesATask;
+  triangles_.resize(tasks);
+  // Of each band and task: the triangles, then where they begin among all in bands.
+  std::vector<std::size_t> places(bands * tasks + 1, 0);
   tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
-    const std::size_t end = std::min(triangles.size(), (task + 1) * kTrianglesATask);
+    const std::size_t end = std::min(count, (task + 1) * kTrianglesATask);
+    triangles_[task].reserve(end - task * kTrianglesATask);
     for (std::size_t t = task * kTrianglesATask; t < end; ++t) {
-      prepare(view, near, static_cast<std::uint32_t>(t), triangles[t], of_task[task]);
+      prepare(view, near, input(t), triangles_[task]);
+    }
+    for (const MapTriangle& triangle : triangles_[task]) {
+      const BandRange range = bands_of(triangle, view.width);
+      for (std::size_t b = range.begin; b < range.end; ++b) ++places[b * tasks + task];
     }
   });
-  for (const auto& part : of_task) triangles_.insert(triangles_.end(), part.begin(), part.end());
-
-  // Which triangles are in which band: counted, then filled in order.
-  struct Rows {
-    int begin = 0, end = 0;
-  };
-  std::vector<Rows> band_rows(triangles_.size());
-  const int bands = (size_ + kBandRows - 1) / kBandRows;
-  bands_begin_.assign(static_cast<std::size_t>(bands) + 1, 0);
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    const MapTriangle& triangle = triangles_[t];
-    int x_low = size_, x_high = -1, y_low = size_, y_high = -1;
-    for (std::uint32_t i = 0; i < triangle.corners; ++i) {
-      const SnappedPoint& p = triangle.outline[i];
-      x_low = std::min(x_low, std::max(0, p.x >> 8));
-      x_high = std::max(x_high, std::min(size_ - 1, p.x >> 8));
-      y_low = std::min(y_low, std::max(0, p.y >> 8));
-      y_high = std::max(y_high, std::min(size_ - 1, p.y >> 8));
+  std::exclusive_scan(places.begin(), places.end(), places.begin(), std::size_t{0});
+  for (std::size_t b = 0; b <= bands; ++b) begins_.push_back(places[b * tasks]);
+  in_bands_.resize(begins_.back());
+  tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+    for (const MapTriangle& triangle : triangles_[task]) {
+      const BandRange range = bands_of(triangle, view.width);
+      for (std::size_t b = range.begin; b < range.end; ++b) {
+        in_bands_[places[b * tasks + task]++] = &triangle;
+      }
     }
-    if (x_low > x_high || y_low > y_high) continue;
-    box_ = {std::min(box_.x_begin, x_low), std::max(box_.x_end, x_high + 1),
-            std::min(box_.y_begin, y_low), std::max(box_.y_end, y_high + 1)};
-    band_rows[t] = {y_low / kBandRows, y_high / kBandRows + 1};
-    for (int b = band_rows[t].begin; b < band_rows[t].end; ++b) {
-      ++bands_begin_[static_cast<std::size_t>(b) + 1];
-    }
-  }
-  for (std::size_t b = 1; b < bands_begin_.size(); ++b) bands_begin_[b] += bands_begin_[b - 1];
-  bands_.resize(bands_begin_.back());
-  std::vector<std::size_t> next(bands_begin_.begin(), bands_begin_.end() - 1);
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    for (int b = band_rows[t].begin; b < band_rows[t].end; ++b) {
-      bands_[next[static_cast<std::size_t>(b)]++] = static_cast<std::uint32_t>(t);
-    }
-  }
+  });
 }
 
 std::vector<float> draw_distances(const LightView& view,
@@ -205,21 +232,29 @@ std::vector<float> draw_distances(const LightView& view,
   const float none = keep == Keep::nearest ? HUGE_VALF : -HUGE_VALF;
   std::vector<float> map(size * size, none);
   const MapRays rays(view);
-  const MapTriangles drawn(view, triangles);
-  drawn.for_each_row([&](const MapTriangle& triangle, int y, int x_begin, int x_end) {
-    std::array<double, 3> at_corners{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      at_corners[i] = glm::distance(triangles[triangle.index][i], view.eye);
-    }
-    const TexelPlane over_w = triangle.over_w(at_corners);
-    float* texels = map.data() + static_cast<std::size_t>(y) * size;
-    for (int x = x_begin; x < x_end; ++x) {
-      const double w = triangle.w(x + 0.5, y + 0.5);
-      const double factor = distances == Distances::exact ? rays.length(x + 0.5, y + 0.5)
-                                                          : over_w.at(x + 0.5, y + 0.5);
-      const auto distance = static_cast<float>(w * factor);
-      texels[x] =
-          keep == Keep::nearest ? std::min(texels[x], distance) : std::max(texels[x], distance);
+  const MapTriangles drawn(view, triangles.size(), [&](std::size_t t) {
+    MapTriangles::Input input{triangles[t]};
+    for (std::size_t i = 0; i < 3; ++i) input.value[i] = glm::distance(triangles[t][i], view.eye);
+    return input;
+  });
+  tbb::parallel_for(0, MapTriangles::bands(view.width), [&](int band) {
+    const int y_begin = band * MapTriangles::kBandRows;
+    const int y_end = std::min(view.width, y_begin + MapTriangles::kBandRows);
+    for (const MapTriangle* triangle : drawn.band(band)) {
+      Spans spans(std::span(triangle->corners), view.width, y_begin, y_end);
+      for (PixelSpan span; spans.next(span);) {
+        float* texels = map.data() + static_cast<std::size_t>(span.y) * size;
+        for (int x = span.x_begin; x < span.x_end; ++x) {
+          const double w = 1.0 / std::clamp(triangle->inverse_w.at(x + 0.5, span.y + 0.5),
+                                            triangle->inverse_low, triangle->inverse_high);
+          const double factor = distances == Distances::exact
+                                    ? rays.length(x + 0.5, span.y + 0.5)
+                                    : triangle->value_over_w.at(x + 0.5, span.y + 0.5);
+          const auto distance = static_cast<float>(w * factor);
+          texels[x] =
+              keep == Keep::nearest ? std::min(texels[x], distance) : std::max(texels[x], distance);
+        }
+      }
     }
   });
   std::replace(map.begin(), map.end(), none, empty);

@@ -1,17 +1,16 @@
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
-#include "functional/raster/spans.h"
 #include "functional/raster/window.h"
 
 namespace wedgesim::functional {
@@ -42,6 +41,8 @@ class MapRays {
   /// The world vector along the ray at (x, y), as long as one unit along the axis makes it: the
   /// point at distance w along the axis is centre + w · at(x, y).
   glm::dvec3 at(double x, double y) const { return origin_ + x * dx_ + y * dy_; }
+  const glm::dvec3& dx() const { return dx_; }  // to the next texel's
+  const glm::dvec3& dy() const { return dy_; }
   /// The distance from the centre of a point with w = 1.
   double length(double x, double y) const {
     const glm::dvec3 ray = at(x, y);
@@ -58,74 +59,60 @@ struct TexelPlane {
   double at(double x, double y) const { return a * x + b * y + c; }
 };
 
-/// What of a triangle is in a map.
-struct MapTriangle {
-  std::uint32_t index = 0;   // of the triangle in the list it came from
-  bool faces_light = false;  // wound counter-clockwise as the light sees it
-  double w_low = 0.0;        // of its clipped outline
-  double w_high = 0.0;
-  TexelPlane inverse_w;  // 1/w of its points
-  /// f/w of a function f that is linear on the triangle in the world, by its values at the corners.
-  TexelPlane over_w(const std::array<double, 3>& values) const;
-  /// w at a place, kept within the outline's.
-  double w(double x, double y) const {
-    const double inverse = inverse_w.at(x, y);
-    return inverse * w_high <= 1.0 ? w_high : std::max(w_low, 1.0 / inverse);
-  }
+/// Bands of a map are drawn by blocks of texels (map_blocks_simd.h).
+inline constexpr int kBlockEdge = 4;
+inline constexpr int kBlock = kBlockEdge * kBlockEdge;  // texels
 
-  glm::dmat3 inverse_corners{0.0};  // of the corners' (x·w, y·w, w), each a column
-  std::array<SnappedPoint, 10> outline{};
-  std::uint32_t corners = 0;  // of the outline
+/// A triangle of the world, or a part of one that the near plane or the guard band cut, as it is
+/// drawn in a map.
+struct MapTriangle {
+  struct Corner {
+    std::int32_t x = 0, y = 0;  // 1/256 texels
+  };
+  std::array<Corner, 3> corners;
+  bool faces_light = false;  // wound counter-clockwise as the light sees it
+  std::uint8_t tag = 0;      // its maker's
+  TexelPlane inverse_w;      // 1/w of its points
+  double inverse_low = 0.0;  // of what is drawn
+  double inverse_high = 0.0;
+  TexelPlane value_over_w, other_over_w;  // of functions that are linear on it in the world
 };
 
-/// Triangles clipped to a map's near plane and snapped (clip.h), ready to be drawn.
+/// Triangles clipped to a map's near plane and snapped (clip.h), ready to be drawn band by band:
+/// bands of rows do not depend on each other, so each can be drawn by a thread of its own.
 class MapTriangles {
  public:
-  MapTriangles(const LightView& view, std::span<const std::array<glm::dvec3, 3>> triangles);
+  using Corners = std::array<glm::dvec3, 3>;
+  static constexpr int kBandRows = 8;
 
-  /// Calls row(triangle, y, x_begin, x_end) for every row of texels whose centres a triangle covers
-  /// (spans.h). Rows of one band of the map come from one thread in the order of the triangles,
-  /// bands run in parallel: what a row writes to its texels alone needs no lock, and is the same
-  /// whatever the number of threads.
-  template <typename Row>
-  void for_each_row(Row&& row) const;
+  struct Input {
+    Corners corners;
+    std::array<double, 3> value{1.0, 1.0, 1.0}, other{1.0, 1.0, 1.0};  // at the corners
+    std::uint8_t tag = 0;
+    bool one_sided = false;  // left out unless it faces the light
+  };
 
-  /// The parts that the triangles are drawn as, by a number of their own.
-  const MapTriangle& operator[](std::uint32_t id) const { return triangles_[id]; }
-  /// \param triangle  one that for_each_row gave
-  std::uint32_t id(const MapTriangle& triangle) const {
-    return static_cast<std::uint32_t>(&triangle - triangles_.data());
+  MapTriangles() = default;
+  MapTriangles(MapTriangles&&) = default;
+  MapTriangles& operator=(MapTriangles&&) = default;
+  /// \param input  of a triangle, by its number below `count`; called from several threads
+  MapTriangles(const LightView& view, std::size_t count,
+               const std::function<Input(std::size_t)>& input);
+
+  /// Bands of a map with `size` rows.
+  static int bands(int size) { return (size + kBandRows - 1) / kBandRows; }
+  /// What may cover texels of a band, in the order of the triangles.
+  std::span<const MapTriangle* const> band(int band) const {
+    const auto b = static_cast<std::size_t>(band);
+    if (begins_.empty()) return {};
+    return std::span(in_bands_).subspan(begins_[b], begins_[b + 1] - begins_[b]);
   }
 
-  /// Rows and columns that may be covered: begin and past the end.
-  struct Box {
-    int x_begin = 0, x_end = 0, y_begin = 0, y_end = 0;
-  };
-  const Box& box() const { return box_; }
-
  private:
-  static constexpr int kBandRows = 16;
-  int size_ = 0;
-  Box box_;
-  std::vector<MapTriangle> triangles_;
-  std::vector<std::uint32_t> bands_;      // of each band its triangles, one band after the other
-  std::vector<std::size_t> bands_begin_;  // of each band, then the number of all
+  std::vector<std::vector<MapTriangle>> triangles_;
+  std::vector<const MapTriangle*> in_bands_;  // one band after the other
+  std::vector<std::size_t> begins_;           // of each band, then the number of all
 };
-
-template <typename Row>
-void MapTriangles::for_each_row(Row&& row) const {
-  const int bands = static_cast<int>(bands_begin_.size()) - 1;
-  tbb::parallel_for(0, std::max(0, bands), [&](int band) {
-    const auto b = static_cast<std::size_t>(band);
-    const int y_begin = band * kBandRows;
-    const int y_end = std::min(size_, y_begin + kBandRows);
-    for (std::size_t i = bands_begin_[b]; i < bands_begin_[b + 1]; ++i) {
-      const MapTriangle& triangle = triangles_[bands_[i]];
-      for_each_span({triangle.outline.data(), triangle.corners}, size_, y_begin, y_end,
-                    [&](int y, int x_begin, int x_end) { row(triangle, y, x_begin, x_end); });
-    }
-  });
-}
 
 /// How the distance from the light's centre is found inside a triangle.
 enum class Distances {

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "functional/geometry/light_disk.h"
 #include "functional/scene/primitives.h"
+#include "tests/functional/methods/instruction_sets.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -282,6 +283,23 @@ TEST(DBuffer, SameWhateverTheThreadsAndCountsItsAccesses) {
             3 * lookups(nearest.accesses));
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_EQ(rendered.by(scene, "d-buffer"), nearest.values);
+}
+
+TEST(DBuffer, DoesNotDependOnTheInstructionSet) {
+  Scene scene = floor_scene(8.0, 1.0);
+  for (int i = 0; i < 3; ++i) {
+    scene.objects.push_back(
+        object_at(make_sphere(0.6, 16, 12), {1.1 * i - 1.5, 2.0 + 0.3 * i, 0.2 * i}, true));
+  }
+  const Rendered rendered(scene);
+  for (const char* choice :
+       {"d-buffer:resolution=301", "d-buffer:resolution=128,lookup=bilinear,channels=5",
+        "d-buffer:resolution=128,distances=interpolated,crossing=nearest"}) {
+    const std::vector<float> widest = rendered.by(scene, choice);
+    for_each_instruction_set([&](const char* name) {
+      EXPECT_EQ(rendered.by(scene, choice), widest) << choice << ", " << name;
+    });
+  }
 }
 
 }  // namespace

@@ -14,8 +14,7 @@
 #include "base/error.h"
 #include "functional/methods/render.h"
 #include "functional/scene/scene_file.h"
-#include "hwy/highway.h"
-#include "hwy/targets.h"
+#include "tests/functional/methods/instruction_sets.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -149,13 +148,9 @@ TEST(Ssv, DoesNotDependOnTheInstructionSet) {
     }
     for (const std::string& method : methods) {
       const std::vector<float> widest = render_by(scene, method).values;
-      for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        EXPECT_EQ(render_by(scene, method).values, widest) << method << hwy::TargetName(target);
-      }
-      hwy::SetSupportedTargetsForTest(0);
-      hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+      for_each_instruction_set([&](const char* name) {
+        EXPECT_EQ(render_by(scene, method).values, widest) << method << name;
+      });
     }
   }
 }
