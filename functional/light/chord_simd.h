@@ -21,6 +21,11 @@ using I = hn::Vec<decltype(kInts)>;
 struct Chords {
   V px, py, qx, qy;
   HWY_INLINE V cross() const { return hn::Sub(hn::Mul(px, qy), hn::Mul(py, qx)); }
+  // The ends the other way round where asked for.
+  HWY_INLINE Chords exchanged(M where) const {
+    return {hn::IfThenElse(where, qx, px), hn::IfThenElse(where, qy, py),
+            hn::IfThenElse(where, px, qx), hn::IfThenElse(where, py, qy)};
+  }
 };
 
 HWY_INLINE V signed_share(M inner, V covered) {

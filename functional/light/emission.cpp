@@ -52,6 +52,17 @@ Emission::Emission(const Image& shares)
     before_[i] = i % row < 3 ? 0.0 : before_[i - 3] + share_[i - 3];
   }
   sum_rows();
+  round_to_float();
+}
+
+void Emission::round_to_float() {
+  for (std::size_t i = 0; i < share_.size(); i += 3) {
+    for (std::size_t c = 0; c < 3; ++c) texels_.push_back(static_cast<float>(before_[i + c]));
+    for (std::size_t c = 0; c < 3; ++c) texels_.push_back(static_cast<float>(share_[i + c]));
+  }
+  for (const Colour& sum : below_) {
+    for (const double value : sum) below_in_float_.push_back(static_cast<float>(value));
+  }
 }
 
 void Emission::sum_rows() {

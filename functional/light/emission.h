@@ -38,9 +38,18 @@ class Emission {
   Colour round(const glm::dvec2& p) const;
   static bool passes_start(const glm::dvec2& p, const glm::dvec2& q);
 
+  // What beyond() reads, of colours in single precision, for many chords at once (emission_simd.h).
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// (height, width, 6): the power of the row's texels to the left, then the texel's own.
+  const float* texels() const { return texels_.data(); }
+  /// (height + 1, 3): of all rows before one.
+  const float* below() const { return below_in_float_.data(); }
+
  private:
   glm::dvec2 texels(const glm::dvec2& p) const;
   void sum_rows();
+  void round_to_float();
   void add_along(const glm::dvec2& from, const glm::dvec2& to, double sign, Colour& sum) const;
 
   int width_ = 1;
@@ -49,6 +58,7 @@ class Emission {
   std::vector<double> share_;   // (height, width, channels), sums to 1
   std::vector<double> before_;  // (height, width, channels) of the row's texels to the left
   std::vector<Colour> below_;   // (height + 1) of all rows before one
+  std::vector<float> texels_, below_in_float_;  // of three channels
 };
 
 }  // namespace wedgesim::functional

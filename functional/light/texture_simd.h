@@ -44,10 +44,7 @@ struct TextureLookup {
   HWY_INLINE void operator()(const Chords& chords, M, V* parts) const {
     // Counter-clockwise about the centre, as the table takes a chord's ends.
     const V cross = chords.cross();
-    const M turned = hn::Lt(cross, hn::Zero(kTag));
-    const Chords ordered{
-        hn::IfThenElse(turned, chords.qx, chords.px), hn::IfThenElse(turned, chords.qy, chords.py),
-        hn::IfThenElse(turned, chords.px, chords.qx), hn::IfThenElse(turned, chords.py, chords.qy)};
+    const Chords ordered = chords.exchanged(hn::Lt(cross, hn::Zero(kTag)));
     const Centre centre{hn::Abs(cross),
                         hn::Add(hn::Mul(chords.px, chords.qx), hn::Mul(chords.py, chords.qy))};
     for (std::size_t c = 0; c < channels; ++c) parts[c] = hn::Zero(kTag);

@@ -1,8 +1,6 @@
 // Compiled once for every instruction set (Highway); all give the same bits.
 #include "functional/methods/texture_kernel.h"
 
-#include <array>
-#include <bit>
 #include <utility>
 
 #include "functional/light/split_word.h"
@@ -12,6 +10,7 @@
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 // After it:
 #include "functional/light/coverage_simd.h"
+#include "functional/light/emission_simd.h"
 #include "functional/light/texture_simd.h"
 #include "functional/raster/volume_simd.h"
 
@@ -19,28 +18,6 @@ HWY_BEFORE_NAMESPACE();
 namespace wedgesim::functional {
 namespace HWY_NAMESPACE {
 namespace {
-
-// Integrals along chords, which cross one texel after another: point by point.
-struct EmissionLookup {
-  static constexpr std::size_t kChannels = 3;
-  const Emission& emission;
-
-  HWY_INLINE void operator()(const Chords& chords, M counts, V* shares) const {
-    float ends[4][kLanes];
-    hn::StoreU(chords.px, kTag, ends[0]);
-    hn::StoreU(chords.py, kTag, ends[1]);
-    hn::StoreU(chords.qx, kTag, ends[2]);
-    hn::StoreU(chords.qy, kTag, ends[3]);
-    float parts[kChannels][kLanes] = {};
-    for (std::uint64_t left = bits_of(counts); left != 0; left &= left - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(left));
-      const Emission::Colour part =
-          emission.beyond(glm::dvec2(ends[0][i], ends[1][i]), glm::dvec2(ends[2][i], ends[3][i]));
-      for (std::size_t c = 0; c < kChannels; ++c) parts[c][i] = static_cast<float>(part[c]);
-    }
-    for (std::size_t c = 0; c < kChannels; ++c) shares[c] = hn::LoadU(kTag, parts[c]);
-  }
-};
 
 template <typename Share>
 struct ShortShare {

@@ -1,5 +1,6 @@
-// `ssv` with a coverage texture, many points at once and by tiles, against the texture's lookups at
-// one point (coverage_texture.h) summed by hand over every edge of the scene.
+// `ssv` with a coverage texture or a light's texture, many points at once and by tiles, against
+// lookups and integrals at one point (coverage_texture.h, emission.h) summed by hand over every
+// edge of the scene.
 #include "functional/methods/texture_kernel.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace {
 struct Case {
   std::string name, options;
   bool textured;
-  int side;
+  int side;  // 0: exact clipping
   TextureFilter filter;
   CoverageWords words;
 };
@@ -31,6 +32,7 @@ INSTANTIATE_TEST_SUITE_P(
              CoverageWords::float32},
         Case{"even_quadlinear", ":texture=16,filter=quadlinear", false, 16,
              TextureFilter::quadlinear, CoverageWords::bits8},
+        Case{"fire_exact", "", true, 0, TextureFilter::nearest, CoverageWords::bits8},
         Case{"fire", ":texture=16", true, 16, TextureFilter::nearest, CoverageWords::bits8},
         Case{"fire_quadlinear", ":texture=12,filter=quadlinear", true, 12,
              TextureFilter::quadlinear, CoverageWords::bits8},
@@ -48,14 +50,18 @@ TEST_P(TextureKernel, IsTheLookupsSummedOverAllEdges) {
   options.light_shape = LightShape::rectangle;
   Scene scene = load_scene("columns", options);
   if (is.textured) scene.light.texture = std::make_shared<const Image>(make_fire(0, 16, 32, 1));
-  const auto table = coverage_texture(scene.light.texture, is.side, is.words);
+  const Emission emission =
+      is.textured ? Emission(emission_shares(*scene.light.texture)) : Emission();
+  const auto table =
+      is.side > 0 ? coverage_texture(scene.light.texture, is.side, is.words) : nullptr;
   const View view = render_view(scene, choose_method("test", "ssv" + is.options));
-  const auto channels = static_cast<std::size_t>(table->channels());
-  ASSERT_EQ(view.visibility.channels, table->channels());
+  const auto channels = static_cast<std::size_t>(emission.channels());
+  ASSERT_EQ(view.visibility.channels, emission.channels());
   for (std::size_t channel = 0; channel < channels; ++channel) {
     const auto looked_up = [&](const glm::dvec3& point, const ShadowWedge& wedge) {
       const auto chord = project_edge(point, wedge.light_begin, wedge.light_end);
       if (!chord) return 0.0F;
+      if (!table) return static_cast<float>(emission.beyond(chord->p, chord->q)[channel]);
       return (is.filter == TextureFilter::nearest ? table->nearest(chord->p, chord->q)
                                                   : table->quadlinear(chord->p, chord->q))[channel];
     };
