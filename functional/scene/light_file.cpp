@@ -111,9 +111,12 @@ Light reshaped(const LightFile& file, LightShape shape) {
   if (from.shape == shape) {
     return from;
   }
-  const double half = from.shape == LightShape::sphere
-                          ? from.radius
-                          : 0.5 * (glm::length(from.half_u) + glm::length(from.half_v));
+  double half = 0.0;
+  if (has_extent(from)) {
+    half = from.shape == LightShape::sphere
+               ? from.radius
+               : 0.5 * (glm::length(from.half_u) + glm::length(from.half_v));
+  }
   Light light;
   if (shape == LightShape::rectangle) {
     light = aimed_rectangle(from.centre, file.target, half, half);

@@ -37,7 +37,8 @@ LightFile read_light(const TomlTable& table, const LightContext& context = {});
 std::vector<std::filesystem::path> light_textures(const TomlTable& table,
                                                   const std::filesystem::path& folder);
 
-/// The light in another shape, as SceneOptions::light_shape says.
+/// The light in another shape, as SceneOptions::light_shape says; one without extent has none in
+/// any.
 Light reshaped(const LightFile& file, LightShape shape);
 
 }  // namespace wedgesim::functional

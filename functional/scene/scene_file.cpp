@@ -151,10 +151,7 @@ void set_lights(Scene& scene, const TomlTable& table, const std::filesystem::pat
     light.half_u *= options.light_scale;
     light.half_v *= options.light_scale;
     light.radius *= options.light_scale;
-    if (!has_extent(light)) {
-      light.shape = LightShape::point;
-      light.texture.reset();
-    }
+    if (!has_extent(light)) light = reshaped({light, {}}, LightShape::point);
     lights.push_back(light);
   }
   scene.light = lights.front();

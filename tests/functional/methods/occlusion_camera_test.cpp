@@ -158,9 +158,12 @@ TEST(OcclusionCamera, PenumbraeEndWithinATexel) {
   EXPECT_GT(grey, 200U);
 }
 
+// A light of a length and no width is one too.
 TEST(OcclusionCamera, APointCastsTheShadowOfARay) {
   Frame frame = one_box();
   frame.scene.light.shape = LightShape::point;
+  frame.scene.light.radius = 0.0;
+  frame.scene.light.half_v = {0.0, 0.0, 0.8};
   frame.truth = reference_visibility(frame.scene, frame.window, frame.depth, 1);
   const std::vector<float> values = frame.values("texels=1");
   std::size_t different = 0;
@@ -169,6 +172,8 @@ TEST(OcclusionCamera, APointCastsTheShadowOfARay) {
     if (frame.receives(i) && values[i] != frame.truth[i]) ++different;
   }
   EXPECT_LE(different, 12U);  // along about 200 pixels of outline
+  frame.scene.light.shape = LightShape::rectangle;
+  EXPECT_EQ(frame.values("texels=1"), values);
 }
 
 TEST(OcclusionCamera, ARectangleIsTheSphereThatItBecomes) {

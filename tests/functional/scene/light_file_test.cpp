@@ -70,6 +70,9 @@ TEST(LightFile, ReshapingKeepsCentreAndColour) {
   const LightFile ball = light_of("shape = 'sphere'\ncentre = [0, 5, 0]\nradius = 0.5");
   const Light square = reshaped(ball, LightShape::rectangle);
   expect_near(glm::cross(square.half_u, square.half_v), {0.0, -0.25, 0.0});
+
+  const LightFile line = light_of("centre = [0, 5, 0]\ntarget = [0, 0, 0]\nsize = [0, 4]");
+  EXPECT_EQ(reshaped(line, LightShape::sphere).radius, 0.0);
 }
 
 TEST(LightFile, Errors) {
