@@ -55,18 +55,18 @@ class Drawer {
   }
 
   void draw_receivers() {
-    for (const MapTriangle* t : drawing_.receivers.band(band_)) {
-      draw(*t, [&](const Texels& at) HWY_ATTR { raise_surface(at); });
-    }
+    for_each_triangle(drawing_.receivers.band(band_), [&](const MapTriangle& t) HWY_ATTR {
+      draw(t, [&](const Texels& at) HWY_ATTR { raise_surface(at); });
+    });
     forget_touched();
   }
 
   // A caster's faces and umbra volume: |cx_o|, |cx_uv|, |cx_s|.
   void draw_umbra(const DBufferCaster& caster) {
-    for (const MapTriangle* t : caster.faces.band(band_)) {
-      const bool enters = t->faces_light;
-      const bool lit = t->tag == DBufferCaster::kLit;
-      draw(*t, [&](const Texels& at) HWY_ATTR {
+    for_each_triangle(caster.faces.band(band_), [&](const MapTriangle& t) HWY_ATTR {
+      const bool enters = t.faces_light;
+      const bool lit = t.tag == DBufferCaster::kLit;
+      draw(t, [&](const Texels& at) HWY_ATTR {
         if (lit) add(word(at.words, Plane::inside), enters ? 1.0F : -1.0F, at.on);
         if (enters) {
           raise_surface(at);
@@ -74,25 +74,25 @@ class Drawer {
         }
         raise(word(at.words, enters ? Plane::entry : Plane::exit), at.key, at.on);
       });
-    }
-    for (const MapTriangle* t : caster.umbra.band(band_)) {
-      const bool quad = t->tag == DBufferCaster::kQuad;
-      const bool leaves = !t->faces_light;
-      draw(*t, [&](const Texels& at) HWY_ATTR {
+    });
+    for_each_triangle(caster.umbra.band(band_), [&](const MapTriangle& t) HWY_ATTR {
+      const bool quad = t.tag == DBufferCaster::kQuad;
+      const bool leaves = !t.faces_light;
+      draw(t, [&](const Texels& at) HWY_ATTR {
         if (quad) add(word(at.words, Plane::inside), leaves ? -1.0F : 1.0F, at.on);
         // Of quads that have run past the other side of their caster, none before it counts.
         if (leaves) offer(at, hn::Le(at.key, value(at.words, Plane::entry)));
       });
-    }
+    });
     merge([&](float* texels) HWY_ATTR { take_umbra(texels); });
   }
 
   // A caster's penumbra volume, where it is in front of all surfaces: |cx_pv|, |cx_s|.
   void draw_penumbra(const DBufferCaster& caster) {
-    for (const MapTriangle* t : caster.penumbra.band(band_)) {
-      draw(*t, [&](const Texels& at)
-                   HWY_ATTR { offer(at, hn::Gt(at.key, value(at.words, Plane::surface))); });
-    }
+    for_each_triangle(caster.penumbra.band(band_), [&](const MapTriangle& t) HWY_ATTR {
+      draw(t, [&](const Texels& at)
+                  HWY_ATTR { offer(at, hn::Gt(at.key, value(at.words, Plane::surface))); });
+    });
     merge([&](float* texels) HWY_ATTR { take_penumbra(texels); });
   }
 

@@ -7,29 +7,38 @@
 #include <vector>
 
 #include "functional/geometry/silhouette.h"
+#include "functional/raster/light_map.h"
 #include "functional/raster/window.h"
 #include "functional/scene/scene.h"
 
 namespace wedgesim::functional {
 
 /// The nearest surfaces as a light's centre sees them, by 1/z with z the depth along its axis in
-/// world units: linear across a triangle; 0 where nothing is.
+/// world units: linear across a triangle; 0 where nothing is. Kept in blocks, as maps are drawn.
 class LightDepths {
  public:
   explicit LightDepths(int size)
       : size_(size),
-        values_(std::make_unique_for_overwrite<float[]>(static_cast<std::size_t>(size) *
-                                                        static_cast<std::size_t>(size))) {}
+        columns_((size + kBlockEdge - 1) / kBlockEdge),
+        values_(std::make_unique_for_overwrite<float[]>(
+            static_cast<std::size_t>(columns_) * static_cast<std::size_t>(columns_) * kBlock)) {}
   int size() const { return size_; }
-  float* row(int y) { return values_.get() + begin_of(y); }
-  const float* row(int y) const { return values_.get() + begin_of(y); }
-  float at(int x, int y) const { return row(y)[x]; }
+  int block_columns() const { return columns_; }
+  /// The texels of a block, row by row; those beyond the map hold anything.
+  float* block(int column, int row) { return values_.get() + begin_of(column, row); }
+  const float* block(int column, int row) const { return values_.get() + begin_of(column, row); }
+  float at(int x, int y) const {
+    return block(x / kBlockEdge, y / kBlockEdge)[y % kBlockEdge * kBlockEdge + x % kBlockEdge];
+  }
 
  private:
-  std::size_t begin_of(int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_);
+  std::size_t begin_of(int column, int row) const {
+    return (static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+            static_cast<std::size_t>(column)) *
+           kBlock;
   }
   int size_;
+  int columns_;
   std::unique_ptr<float[]> values_;
 };
 

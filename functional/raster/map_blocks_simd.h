@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "functional/raster/light_map.h"
+#include "hwy/cache_control.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -136,6 +138,21 @@ struct BlockRows {
     return hn::And(hn::Ge(column, load(begin + lane)), hn::Lt(column, load(end + lane)));
   }
 };
+
+// Calls draw(triangle) for each, and asks memory early for those that follow.
+template <typename Draw>
+HWY_INLINE void for_each_triangle(std::span<const MapTriangle* const> triangles, Draw&& draw) {
+  constexpr std::size_t kAhead = 8;
+  constexpr std::size_t kLineBytes = 64;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (i + kAhead < triangles.size()) {
+      const auto* next = reinterpret_cast<const char*>(triangles[i + kAhead]);
+      hwy::Prefetch(next);
+      hwy::Prefetch(next + kLineBytes);
+    }
+    draw(*triangles[i]);
+  }
+}
 
 // Calls visit(column, row, rows) for the blocks of a band that a triangle may cover texels of: row
 // of blocks in the band, and what is covered of it.
