@@ -21,8 +21,8 @@ struct LightFromEye {
 /// Where pixels that stand side by side in a row are in the light's window.
 struct LightPlaces {
   static constexpr int kPixels = 64;
-  static constexpr float kNowhere = -2.0F;
-  std::array<float, kPixels> x, y;           // kNowhere behind the light and in the sky
+  static constexpr float kNowhere = -1e30F;
+  std::array<float, kPixels> x, y;           // x is kNowhere behind the light and in the sky
   std::array<float, kPixels> inverse_depth;  // 1/w of the light's window
 };
 

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "functional/geometry/silhouette.h"
 #include "functional/methods/occlusion_lookup.h"
+#include "functional/methods/occlusion_pixels.h"
 #include "functional/methods/stopwatch.h"
 #include "functional/raster/light_window.h"
 #include "functional/scene/light_file.h"
@@ -66,40 +67,6 @@ std::vector<Facing> facings(const Scene& scene, const Light& light, const glm::d
     });
   }
   return result;
-}
-
-// Row by row: where each pixel's point is to the light's camera, and what reaches it.
-OcclusionLookup::Count light_pixels(const MethodInput& input, const Window& light_window,
-                                    const OcclusionLookup& lookup, std::span<const Facing> facing,
-                                    std::vector<float>& values) {
-  const glm::dmat4 light_from_eye = light_window.window_from_world * input.window.world_from_window;
-  const glm::dvec4 scale(input.window.world_from_window[0][3], input.window.world_from_window[1][3],
-                         input.window.world_from_window[2][3],
-                         input.window.world_from_window[3][3]);
-  const int width = input.window.width;
-  std::vector<OcclusionLookup::Count> counts(static_cast<std::size_t>(input.window.height));
-  tbb::parallel_for(0, input.window.height, [&](int y) {
-    OcclusionLookup::Count& count = counts[static_cast<std::size_t>(y)];
-    for (int x = 0; x < width; ++x) {
-      const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                         static_cast<std::size_t>(x);
-      if (input.depth.triangle[pixel] == DepthBuffer::kSky) continue;
-      const glm::dvec4 at(x + 0.5, y + 0.5,
-                          traces::decode_depth(input.depth.format, input.depth.words[pixel]), 1.0);
-      const glm::dvec4 seen = light_from_eye * at;
-      if (!(seen.w > 0.0)) continue;
-      const Fragment fragment{glm::vec2(seen.x / seen.w, seen.y / seen.w),
-                              static_cast<float>(glm::dot(scale, at) / seen.w),
-                              facing[input.depth.triangle[pixel]]};
-      values[pixel] = lookup.visible(fragment, count);
-    }
-  });
-  OcclusionLookup::Count all;
-  for (const auto& count : counts) {
-    all.depth_reads += count.depth_reads;
-    all.map_reads += count.map_reads;
-  }
-  return all;
 }
 
 Visibility render(const MethodInput& input, const MethodOptions& options) {

@@ -8,12 +8,11 @@
 namespace wedgesim::functional {
 namespace {
 
-constexpr float kOwnDepth = 1.0F - 1e-4F;  // of its depth: a nearer surface hides a fragment
-constexpr float kSameWay = 0.9F;           // cosine between normals of one penumbra
-constexpr float kSameHeight = 0.25F;       // of a penumbra's width: how much those of one differ
-constexpr float kBeyond = 0.02F;           // of its depth range: how far a penumbra goes on
-constexpr float kClear = 1.0F;             // texels outside a silhouette where it hides nothing
-constexpr float kLeastWidth = 0.05F;       // texels: less is the edge's own surface, rounded
+constexpr float kSameWay = 0.9F;      // cosine between normals of one penumbra
+constexpr float kSameHeight = 0.25F;  // of a penumbra's width: how much those of one differ
+constexpr float kBeyond = 0.02F;      // of its depth range: how far a penumbra goes on
+constexpr float kClear = 1.0F;        // texels outside a silhouette where it hides nothing
+constexpr float kLeastWidth = 0.05F;  // texels: less is the edge's own surface, rounded
 constexpr std::size_t kMostLookups = 4;
 
 float smooth(float t) { return t * t * (3.0F - 2.0F * t); }
@@ -40,43 +39,60 @@ struct OcclusionLookup::Bend {
   }
 };
 
+OcclusionLookup::OcclusionLookup(const ShadowMaps& shadows, std::span<const PenumbraStrip> strips,
+                                 const DistortionMap& map, double focal, const Options& options)
+    : casters_(shadows.casters),
+      tiles_(shadows.caster_tiles),
+      strips_(strips),
+      map_(map),
+      inverse_focal_(static_cast<float>(1.0 / focal)),
+      options_(options) {
+  const int tiles = light_tiles(casters_.size());
+  for (int y = 0; y < tiles; ++y) {
+    for (int x = 0; x < tiles; ++x) {
+      if (!map.holds(x * kLightTile, y * kLightTile)) continue;
+      tiles_[static_cast<std::size_t>(y * tiles + x)] = {0.0F, HUGE_VALF};
+    }
+  }
+}
+
 float OcclusionLookup::visible(const Fragment& fragment, Count& count) const {
-  const float size = static_cast<float>(casters_.size());
   const glm::vec2& p = fragment.place;
-  if (fragment.facing == Facing::away) return 0.0F;
-  if (!(p.x >= 0.5F && p.y >= 0.5F && p.x < size - 0.5F && p.y < size - 0.5F)) return 1.0F;
   if (!options_.interpolate) {
-    return visible_by_texel(fragment, static_cast<int>(p.x), static_cast<int>(p.y), count);
+    const Texel texel = texel_at(fragment, static_cast<int>(p.x), static_cast<int>(p.y), count);
+    return visible_by_texel(fragment, texel, count);
   }
   const int x = static_cast<int>(p.x - 0.5F);
   const int y = static_cast<int>(p.y - 0.5F);
-  if (const std::optional<float> plain = visible_by_tile(fragment, x, y, count)) return *plain;
   const float u = p.x - 0.5F - static_cast<float>(x);
   const float v = p.y - 0.5F - static_cast<float>(y);
   const std::array<float, 4> weight{(1.0F - u) * (1.0F - v), u * (1.0F - v), (1.0F - u) * v, u * v};
+  std::array<Texel, 4> texels;
+  std::array<float, 4> visible{};
   float sum = 0.0F;
-  for (int i = 0; i < 4; ++i) {
-    sum += weight[static_cast<std::size_t>(i)] *
-           visible_by_texel(fragment, std::min(x + i % 2, casters_.size() - 1),
-                            std::min(y + i / 2, casters_.size() - 1), count);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const int right = static_cast<int>(i) % 2;
+    const int below = static_cast<int>(i) / 2;
+    texels[i] = texel_at(fragment, std::min(x + right, casters_.size() - 1),
+                         std::min(y + below, casters_.size() - 1), count);
+    // Most neighbours say the same.
+    const auto same = static_cast<std::size_t>(
+        std::find(texels.begin(), texels.begin() + i, texels[i]) - texels.begin());
+    visible[i] = same < i ? visible[same] : visible_by_texel(fragment, texels[i], count);
+    sum += weight[i] * visible[i];
   }
   return sum;
 }
 
-// The cheap look that suffices far from a penumbra: none if it does not.
-std::optional<float> OcclusionLookup::visible_by_tile(const Fragment& fragment, int x, int y,
-                                                      Count& count) const {
-  const int right = std::min(x + 1, casters_.size() - 1) / kLightTile;
-  const int below = std::min(y + 1, casters_.size() - 1) / kLightTile;
-  if (right != x / kLightTile || below != y / kLightTile) return {};
+OcclusionLookup::Texel OcclusionLookup::texel_at(const Fragment& fragment, int x, int y,
+                                                 Count& count) const {
+  Texel texel;
+  texel.covered =
+      fragment.facing != Facing::light || hidden(x, y, fragment.inverse_depth / kOwnDepth, count);
+  if (!map_.holds(x, y)) return texel;
   ++count.map_reads;
-  if (map_.holds(x, y)) return {};
-  const TileDepths& tile =
-      tiles_[static_cast<std::size_t>(below * light_tiles(casters_.size()) + right)];
-  const float nearer = fragment.inverse_depth / kOwnDepth;
-  if (tile.least > nearer) return 0.0F;
-  if (tile.greatest <= nearer) return 1.0F;
-  return {};
+  texel.name = map_.at(texel.covered, x, y);
+  return texel;
 }
 
 bool OcclusionLookup::hidden(int x, int y, float inverse_depth, Count& count) const {
@@ -133,14 +149,10 @@ OcclusionLookup::Bend OcclusionLookup::bend(StripName name, const Fragment& frag
   return bend;
 }
 
-float OcclusionLookup::visible_by_texel(const Fragment& fragment, int x, int y,
+float OcclusionLookup::visible_by_texel(const Fragment& fragment, const Texel& texel,
                                         Count& count) const {
-  bool covered =
-      fragment.facing != Facing::light || hidden(x, y, fragment.inverse_depth / kOwnDepth, count);
-  if (!map_.holds(x, y)) return covered ? 0.0F : 1.0F;
-  ++count.map_reads;
-  StripName name = map_.at(covered, x, y);
-
+  bool covered = texel.covered;
+  StripName name = texel.name;
   std::array<Bend, kMostLookups> bends;
   std::size_t found = 0;
   for (int i = 0; i < options_.lookups && name.exists(); ++i) {

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <optional>
 #include <span>
+#include <vector>
 
 #include "functional/methods/distortion_map.h"
 #include "functional/methods/light_depths.h"
@@ -34,29 +34,40 @@ class OcclusionLookup {
     std::uint64_t depth_reads = 0, map_reads = 0;
   };
 
-  OcclusionLookup(const ShadowMaps& shadows, std::span<const PenumbraStrip> strips,
-                  const DistortionMap& map, double focal, const Options& options)
-      : casters_(shadows.casters),
-        tiles_(shadows.caster_tiles),
-        strips_(strips),
-        map_(map),
-        inverse_focal_(static_cast<float>(1.0 / focal)),
-        options_(options) {}
+  /// Of its depth: a nearer surface hides a fragment.
+  static constexpr float kOwnDepth = 1.0F - 1e-4F;
 
-  /// \return [0, 1]; 1 outside of the light's image
+  OcclusionLookup(const ShadowMaps& shadows, std::span<const PenumbraStrip> strips,
+                  const DistortionMap& map, double focal, const Options& options);
+
+  const Options& options() const { return options_; }
+  /// Texels along an edge of the light's maps.
+  int size() const { return casters_.size(); }
+  /// What the casters' depths are in each tile; 0 to infinity, which decides nothing, where a strip
+  /// may be near.
+  std::span<const TileDepths> tiles() const { return tiles_; }
+
+  /// \param fragment  within the light's image, half a texel inside, and not facing away
+  /// \return [0, 1]
   float visible(const Fragment& fragment, Count& count) const;
 
  private:
   struct Bend;
-  std::optional<float> visible_by_tile(const Fragment& fragment, int x, int y, Count& count) const;
-  float visible_by_texel(const Fragment& fragment, int x, int y, Count& count) const;
+  /// What a texel says of a fragment; without a strip the caster alone.
+  struct Texel {
+    bool covered = false;
+    StripName name;
+    bool operator==(const Texel&) const = default;
+  };
+  Texel texel_at(const Fragment& fragment, int x, int y, Count& count) const;
+  float visible_by_texel(const Fragment& fragment, const Texel& texel, Count& count) const;
   bool hidden(int x, int y, float inverse_depth, Count& count) const;
   bool hidden_after(const glm::vec2& place, const Fragment& fragment, Count& count) const;
   StripName name_at(const glm::vec2& place, bool inside, Count& count) const;
   Bend bend(StripName name, const Fragment& fragment) const;
 
   const LightDepths& casters_;
-  std::span<const TileDepths> tiles_;
+  std::vector<TileDepths> tiles_;
   std::span<const PenumbraStrip> strips_;
   const DistortionMap& map_;
   float inverse_focal_;

@@ -19,6 +19,7 @@ struct StripName {
   static StripName of(std::size_t strip, Part part) {
     return {4 * static_cast<std::uint32_t>(strip) + static_cast<std::uint32_t>(part)};
   }
+  bool operator==(const StripName&) const = default;
   bool exists() const { return word != kNone; }
   std::size_t strip() const { return word / 4; }
   Part part() const { return static_cast<Part>(word % 4); }
