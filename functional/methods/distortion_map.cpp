@@ -89,11 +89,4 @@ DistortionMap::Count DistortionMap::draw(const StripSplat& splat, const Penumbra
   return count;
 }
 
-StripName DistortionMap::at(bool inside, int x, int y) const {
-  const std::size_t map = maps_ == 2 && inside ? 1 : 0;
-  const std::size_t tile = tile_of(x, y);
-  if ((used_[tile] & (1U << map)) == 0) return {};
-  return {texels_[map][tile].name[texel_of(x, y)]};
-}
-
 }  // namespace wedgesim::functional

@@ -26,7 +26,12 @@ class DistortionMap {
   /// Whether any strip may be near a texel, in any map.
   bool holds(int x, int y) const { return used_[tile_of(x, y)] != 0; }
   /// \return the nearest strip at a texel, if any; in one map whatever the side
-  StripName at(bool inside, int x, int y) const;
+  StripName at(bool inside, int x, int y) const {
+    const std::size_t map = maps_ == 2 && inside ? 1 : 0;
+    const std::size_t tile = tile_of(x, y);
+    if ((used_[tile] & (1U << map)) == 0) return {};
+    return {texels_[map][tile].name[texel_of(x, y)]};
+  }
   /// Texels that were compared with a strip; each is read, and written if it is nearer.
   std::uint64_t compared() const { return compared_; }
   std::uint64_t written() const { return written_; }
@@ -41,12 +46,12 @@ class DistortionMap {
   };
 
   std::size_t tile_of(int x, int y) const {
-    return static_cast<std::size_t>(y / kLightTile) * tiles_ +
-           static_cast<std::size_t>(x / kLightTile);
+    return static_cast<std::size_t>(y) / kLightTile * tiles_ +
+           static_cast<std::size_t>(x) / kLightTile;
   }
   static std::size_t texel_of(int x, int y) {
-    return static_cast<std::size_t>(y % kLightTile) * kLightTile +
-           static_cast<std::size_t>(x % kLightTile);
+    return static_cast<std::size_t>(y) % kLightTile * kLightTile +
+           static_cast<std::size_t>(x) % kLightTile;
   }
   Tile& touch(std::size_t map, int x, int y);
   Count draw(const StripSplat& splat, const PenumbraStrip& strip, int y_begin, int y_end);

@@ -28,7 +28,11 @@ class LightDepths {
   float* block(int column, int row) { return values_.get() + begin_of(column, row); }
   const float* block(int column, int row) const { return values_.get() + begin_of(column, row); }
   float at(int x, int y) const {
-    return block(x / kBlockEdge, y / kBlockEdge)[y % kBlockEdge * kBlockEdge + x % kBlockEdge];
+    const auto column = static_cast<std::size_t>(x);
+    const auto row = static_cast<std::size_t>(y);
+    const std::size_t block =
+        row / kBlockEdge * static_cast<std::size_t>(columns_) + column / kBlockEdge;
+    return values_[block * kBlock + row % kBlockEdge * kBlockEdge + column % kBlockEdge];
   }
 
  private:

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <utility>
 
@@ -40,6 +41,9 @@ struct TriangleRows {
   HWY_ALIGN float begin[kRows];
   HWY_ALIGN float end[kRows];
 
+  // To add to a place that is to count, and to one that is not: beyond all there can be.
+  static constexpr double kBeyond[2] = {0.0, 0x1p60};
+
   // \param y  of the band's first row
   HWY_INLINE void cover(const MapTriangle& triangle, int size, int y) {
     using Doubles = hn::CappedTag<double, kRows>;
@@ -65,11 +69,12 @@ struct TriangleRows {
         const MapTriangle::Corner* p = &triangle.corners[i];
         const MapTriangle::Corner* q = &triangle.corners[(i + 1) % 3];
         if (triangle.faces_light) std::swap(p, q);
-        if (p->y == q->y) continue;
+        // No branch on which side it is: it is unpredictable.
+        const bool level = p->y == q->y;
         const bool left = q->y < p->y;
         // The side crosses a centre's line, rounded up, at p.x − ⌊along / down⌋: whole numbers
         // below 2⁵³, so the division is exact once its remainder is.
-        const double down = left ? p->y - q->y : q->y - p->y;
+        const double down = std::max(1, std::abs(q->y - p->y));
         const double across = left ? q->x - p->x : p->x - q->x;
         const auto along = hn::Mul(all(across), hn::Sub(centre, all(p->y)));
         auto quotient = hn::Floor(hn::Div(along, all(down)));
@@ -79,11 +84,8 @@ struct TriangleRows {
         quotient = hn::Add(quotient, hn::IfThenElseZero(hn::Ge(rest, all(down)), one));
         // The first centre 256·x + 128 that is not left of it.
         const auto x = hn::Floor(hn::Mul(hn::Sub(all(p->x + 127.0), quotient), all(1.0 / 256.0)));
-        if (left) {
-          first = hn::Max(first, x);
-        } else {
-          past = hn::Min(past, x);
-        }
+        first = hn::Max(first, hn::Sub(x, all(kBeyond[level || !left])));
+        past = hn::Min(past, hn::Add(x, all(kBeyond[level || left])));
       }
       const auto meets = hn::And(hn::Ge(centre, all(low)), hn::Le(centre, all(high)));
       const auto some = hn::And(meets, hn::Lt(first, past));

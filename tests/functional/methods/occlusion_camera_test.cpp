@@ -14,6 +14,7 @@
 #include "functional/reference/reference.h"
 #include "functional/scene/primitives.h"
 #include "functional/scene/transform.h"
+#include "tests/functional/methods/instruction_sets.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -194,6 +195,16 @@ TEST(OcclusionCamera, ThreadsDoNotShowInTheResult) {
   EXPECT_EQ(single.accesses.map_reads, many.accesses.map_reads);
   EXPECT_EQ(single.accesses.map_writes, many.accesses.map_writes);
   EXPECT_EQ(single.accesses.bytes, many.accesses.bytes);
+}
+
+TEST(OcclusionCamera, DoesNotDependOnTheInstructionSet) {
+  const Frame frame = comb(0.2, 5, 0.3, 0.2);
+  for (const char* options : {"resolution=301", "resolution=150,texels=1,maps=1"}) {
+    const std::vector<float> widest = frame.values(options);
+    for_each_instruction_set([&](const char* name) {
+      EXPECT_EQ(frame.values(options), widest) << options << ", " << name;
+    });
+  }
 }
 
 // Light that both of two neighbours take away is found by the second look alone.
