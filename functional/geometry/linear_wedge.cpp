@@ -63,12 +63,29 @@ EdgePlanes edge_planes(const Light& light, const glm::dvec3& begin, const glm::d
   return planes;
 }
 
+// Whether a line goes through the light: then no plane through it touches the light.
+bool meets_light(const Light& light, const glm::dvec3& point, const glm::dvec3& unit_direction) {
+  const glm::dvec3 to_centre = light.centre - point;
+  if (light.shape == LightShape::sphere) {
+    return glm::length(glm::cross(to_centre, unit_direction)) < light.radius;
+  }
+  if (light.shape != LightShape::rectangle) return false;
+  const glm::dvec3 normal = glm::cross(light.half_u, light.half_v);
+  const double slope = glm::dot(normal, unit_direction);
+  if (slope == 0.0) return false;
+  const glm::dvec3 there = glm::dot(normal, to_centre) / slope * unit_direction - to_centre;
+  return std::abs(glm::dot(there, light.half_u)) < glm::dot(light.half_u, light.half_u) &&
+         std::abs(glm::dot(there, light.half_v)) < glm::dot(light.half_v, light.half_v);
+}
+
 bool points_at_light(const Light& light, const glm::dvec3& begin, const glm::dvec3& end) {
   const glm::dvec3 a = begin - light.centre;
   const glm::dvec3 b = end - light.centre;
   const double edge = glm::length(b - a);
-  return edge == 0.0 || glm::length(glm::cross(a, b)) <
-                            kPointsAtLight * edge * std::min(glm::length(a), glm::length(b));
+  return edge == 0.0 ||
+         glm::length(glm::cross(a, b)) <
+             kPointsAtLight * edge * std::min(glm::length(a), glm::length(b)) ||
+         meets_light(light, begin, (end - begin) / edge);
 }
 
 // One corner of the loop: the directions in which the front and back planes of its two edges meet,

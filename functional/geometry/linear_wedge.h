@@ -27,8 +27,9 @@ struct LinearWedge {
 /// The wedges of one silhouette loop. The front plane leaves the light on the lit side, the back
 /// plane on the other: they pass through the points of the sphere along the normal of the shadow
 /// quad (Paper I, 4.1), or touch opposite corners of a rectangle (Paper I, 8). Neighbours share a
-/// side plane through the intersections of their front and of their back planes. Edges that point
-/// at the light are left out, their ends joined (Paper I, 8).
+/// side plane through the intersections of their front and of their back planes. Edges whose line
+/// meets the light, through which no such planes pass, are left out, their ends joined (Paper I, 8:
+/// those nearly parallel to the light's direction).
 /// \param loop    the corners in order, world space
 /// \param bounds  of the light and all that receives; wedges whose sides diverge end well outside
 std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec3> loop,

@@ -8,13 +8,24 @@
 namespace wedgesim::functional {
 namespace {
 
-constexpr double kReach = 1e-3;        // of the shorter edge
-constexpr double kStep = M_PI / 12.0;  // one more edge for each step below a right angle
+constexpr double kReach = 1e-3;  // of the shorter edge
+constexpr double kStep =
+    M_PI / 12.0;  // one more edge for each step below a right angle, from the first on
 constexpr int kMostEdges = 6;
+
+// Between two vectors as they are seen along a third; 0 if one of them is not seen.
+double cosine_across(glm::dvec3 a, glm::dvec3 b, const glm::dvec3& along) {
+  const glm::dvec3 way = glm::normalize(along);
+  a -= glm::dot(a, way) * way;
+  b -= glm::dot(b, way) * way;
+  const double lengths = glm::length(a) * glm::length(b);
+  return lengths > 0.0 ? glm::dot(a, b) / lengths : 0.0;
+}
 
 }  // namespace
 
-std::vector<glm::dvec3> round_corners(const std::vector<glm::dvec3>& loop) {
+std::vector<glm::dvec3> round_corners(const std::vector<glm::dvec3>& loop,
+                                      const glm::dvec3& light_centre) {
   std::vector<glm::dvec3> rounded;
   const std::size_t n = loop.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -22,9 +33,8 @@ std::vector<glm::dvec3> round_corners(const std::vector<glm::dvec3>& loop) {
     const glm::dvec3 back = loop[(i + n - 1) % n] - corner;
     const glm::dvec3 ahead = loop[(i + 1) % n] - corner;
     const double shorter = std::min(glm::length(back), glm::length(ahead));
-    const double cosine =
-        shorter > 0.0 ? glm::dot(glm::normalize(back), glm::normalize(ahead)) : 0.0;
-    if (cosine <= 0.0) {
+    const double cosine = cosine_across(back, ahead, corner - light_centre);
+    if (cosine <= std::sin(kStep)) {
       rounded.push_back(corner);
       continue;
     }

@@ -66,7 +66,7 @@ class Builder {
                 std::vector<ScreenSide>& sides, std::vector<glm::dvec3>& far) const {
     std::vector<glm::dvec3> corners;
     for (const SilhouetteEdge& edge : loop) corners.push_back(caster.mesh->positions[edge.begin]);
-    if (choices_.round_corners) corners = round_corners(corners);
+    if (choices_.round_corners) corners = round_corners(corners, light_.centre);
     bool meets = false;
     for (const LinearWedge& wedge :
          linear_wedges(light_, std::move(corners), caster.end_plane, bounds_)) {

@@ -54,7 +54,8 @@ Visibility render_restructured(const MethodInput& input, const MethodOptions& op
   return draw(input, {.z = z}, cull, restructured_kernel(cubic));
 }
 
-constexpr std::array<std::string_view, 2> k2002Compared{"wedge-2002", "wedge-2002:falloff=cubic"};
+constexpr std::array<std::string_view, 3> k2002Compared{"wedge-2002", "wedge-2002:falloff=cubic",
+                                                        "wedge-2002:extra=off"};
 constexpr std::array<std::string_view, 1> kRestructuredCompared{"wedge-restructured"};
 constexpr std::array<std::string_view, 3> k2002Artifacts{"too-large-umbra", "leaking-umbra",
                                                          "eye-in-shadow"};

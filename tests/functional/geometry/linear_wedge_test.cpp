@@ -229,6 +229,31 @@ TEST(LinearWedge, CornersWithoutAMeetingTakeARay) {
   }
 }
 
+// No plane through an edge whose line meets the light touches it.
+TEST(LinearWedge, EdgesThatPointIntoTheLightAreLeftOut) {
+  Light light;
+  light.centre = {0.0, 10.0, 0.0};
+  light.half_u = {0.5, 0.0, 0.0};
+  light.half_v = {0.0, 0.0, 0.5};
+  light.radius = 0.5;
+  Bounds box;
+  box.grow(glm::dvec3(-50.0));
+  box.grow(glm::dvec3(50.0));
+  const EndPlane end{glm::dvec4(0, 1, 0, 0)};
+  const auto edges_left = [&](const glm::dvec3& aimed_at) {
+    const glm::dvec3 low(1.0, 2.0, 1.0);
+    return linear_wedges(light,
+                         {{-1, 2, 1}, low, low + 0.1 * (aimed_at - low), {1, 2, -1}, {-1, 2, -1}},
+                         end, box)
+        .size();
+  };
+  EXPECT_EQ(edges_left({0.48, 10.0, -0.48}), 4U) << "a corner of the rectangle";
+  EXPECT_EQ(edges_left({0.48, 10.0, -0.52}), 5U);
+  light.shape = LightShape::sphere;
+  EXPECT_EQ(edges_left({0.34, 10.0, -0.34}), 4U);
+  EXPECT_EQ(edges_left({0.48, 10.0, -0.48}), 5U) << "beside the sphere";
+}
+
 TEST(LinearWedge, EdgesThatPointAtTheLightAreLeftOut) {
   Light light;
   light.centre = {0.0, 10.0, 0.0};

@@ -151,12 +151,16 @@ TEST(WedgesLinear, WantALightWithExtent) {
 
 // Sharper corners get more edges; others stay.
 TEST(RoundCorners, CutsAcuteOnesAlone) {
+  const glm::dvec3 light(0, 0, 1e6);
   const std::vector<glm::dvec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  EXPECT_EQ(round_corners(square), square);
+  EXPECT_EQ(round_corners(square, light), square);
+  std::vector<glm::dvec3> deep = square;  // acute, but not as the light sees it
+  deep[1].z = deep[3].z = 5.0;
+  EXPECT_EQ(round_corners(deep, light), deep);
   const std::vector<glm::dvec3> thin{{0, 0, 0}, {10, 0, 0}, {0, 1, 0}};
-  const std::vector<glm::dvec3> rounded = round_corners(thin);
-  // Of 90, 6 and 84 degrees: one point, 7 of 6 edges, 2 of one edge.
-  ASSERT_EQ(rounded.size(), 10U);
+  const std::vector<glm::dvec3> rounded = round_corners(thin, light);
+  // Of 90, 6 and 84 degrees: one point, 7 of 6 edges, one point.
+  ASSERT_EQ(rounded.size(), 9U);
   for (const glm::dvec3& p : rounded) {
     double nearest = 1e300;
     for (const glm::dvec3& corner : thin) nearest = std::min(nearest, glm::distance(p, corner));
