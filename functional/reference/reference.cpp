@@ -126,6 +126,9 @@ class Cells {
   std::array<double, 3> whole_{};
 };
 
+// How far rays start from a caster, in distances of its points: a few roundings of float.
+constexpr double kOffSurface = 0x1p-20;
+
 }  // namespace
 
 std::vector<float> reference_visibility(const Scene& scene, const Window& window,
@@ -147,8 +150,7 @@ std::vector<float> reference_visibility(const Scene& scene, const Window& window
       if (depth.triangle[pixel] == DepthBuffer::kSky) continue;
       if (!wanted.empty() && wanted[pixel] == 0) continue;
       const double z = traces::decode_depth(depth.format, depth.words[pixel]);
-      const glm::dvec3 p = world_point(window, x + 0.5, y + 0.5, z);
-      // Off the surface, by more than the rounding of the stored depth.
+      glm::dvec3 p = world_point(window, x + 0.5, y + 0.5, z);
       const DepthBuffer::Surface surface = depth.surface(pixel);
       const Object& object = scene.objects[surface.object];
       const auto& corner = object.mesh.triangles[surface.triangle];
@@ -156,7 +158,12 @@ std::vector<float> reference_visibility(const Scene& scene, const Window& window
       glm::dvec3 normal = glm::normalize(
           glm::cross(object.mesh.positions[corner[1]] - a, object.mesh.positions[corner[2]] - a));
       if (glm::dot(normal, window.eye - p) < 0.0) normal = -normal;
-      const glm::dvec3 origin = p + (object.casts ? 1e-4 * scene_size : 0.0) * normal;
+      glm::dvec3 origin = p;
+      if (object.casts) {
+        // On the triangle, whatever the stored depth rounds, and off it by more than rays round.
+        p -= glm::dot(p - a, normal) * normal;
+        origin = p + kOffSurface * (glm::length(p) + scene_size) * normal;
+      }
       const Aperture light = aperture_from(scene.light, p);
 
       std::array<double, 3> hidden{};
@@ -175,6 +182,10 @@ std::vector<float> reference_visibility(const Scene& scene, const Window& window
                        2.0 * (cell / cells.columns() + jitter_y) / cells.rows() - 1.0);
           if (light.disc) s = to_disc(s);
           const glm::dvec3 way = light.centre + s.x * light.u + s.y * light.v - origin;
+          if (object.casts && glm::dot(way, normal) <= 0.0) {  // into what is closed
+            cells.add(cell, hidden);
+            continue;
+          }
           valid[static_cast<std::size_t>(lane)] = -1;
           rays.org_x[lane] = static_cast<float>(origin.x);
           rays.org_y[lane] = static_cast<float>(origin.y);

@@ -206,6 +206,39 @@ TEST(Reference, ATextureIsHiddenAsAWhole) {
 }
 
 // Numbers of samples that are no squares of multiples of the packet's size.
+// A face sees the part of the light before its plane, up to its very edge.
+TEST(Reference, AFaceWhosePlaneCutsTheLight) {
+  Scene scene;
+  scene.width = 120;
+  scene.height = 80;
+  scene.camera.eye = {9.0, 3.0, 0.5};
+  scene.camera.target = {0.5, 0.5, 0.0};
+  scene.camera.field_of_view_degrees = 12.0;
+  scene.camera.far_plane = 60.0;
+  scene.light.centre = {0.4, 9.0, 0.0};
+  scene.light.half_u = {0.8, 0.0, 0.0};
+  scene.light.half_v = {0.0, 0.0, 0.8};
+  Object box;
+  box.casts = true;
+  box.mesh = make_box({1.0, 1.0, 1.0});
+  scene.objects = {box};
+  const Rendered r = render(scene);
+  const std::vector<float> seen = reference_visibility(scene, r.window, r.depth, 1024);
+  int on_face = 0;
+  for (int y = 0; y < scene.height; ++y) {
+    for (int x = 0; x < scene.width; ++x) {
+      const std::size_t pixel = static_cast<std::size_t>(y) * 120 + static_cast<std::size_t>(x);
+      if (r.depth.triangle[pixel] == DepthBuffer::kSky) continue;
+      const double z = traces::decode_depth(r.depth.format, r.depth.words[pixel]);
+      const glm::dvec3 p = world_point(r.window, x + 0.5, y + 0.5, z);
+      if (std::abs(p.x - 0.5) > 1e-4) continue;
+      ++on_face;
+      EXPECT_NEAR(seen[pixel], 0.7 / 1.6, 0.01) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(on_face, 500);
+}
+
 TEST(Reference, AnyNumberOfSamples) {
   const Scene scene = half_plane(LightShape::rectangle);
   const Rendered r = render(scene);
