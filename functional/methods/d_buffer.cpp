@@ -10,6 +10,7 @@
 #include "functional/geometry/extent.h"
 #include "functional/methods/d_buffer_map.h"
 #include "functional/methods/d_buffer_pixels.h"
+#include "functional/methods/facing.h"
 #include "functional/methods/stopwatch.h"
 
 namespace wedgesim::functional {
@@ -33,22 +34,6 @@ double check_heights(const Scene& scene, const LightDisk& disk) {
                      "casters wholly in front of it for the method d-buffer");
   }
   return most;
-}
-
-// Of each triangle of the scene: whether it is a caster's and the disk's centre is behind it.
-std::vector<std::uint8_t> unlit_triangles(const Scene& scene,
-                                          const std::vector<DiskSilhouettes>& silhouettes) {
-  std::vector<std::uint8_t> unlit;
-  std::size_t caster = 0;
-  for (const Object& object : scene.objects) {
-    const std::size_t first = unlit.size();
-    unlit.resize(first + object.mesh.triangles.size(), 0);
-    if (!object.casts) continue;
-    std::ranges::transform(silhouettes[caster++].facings,
-                           unlit.begin() + static_cast<std::ptrdiff_t>(first),
-                           [](DiskFacing facing) { return facing < DiskFacing::front_belt; });
-  }
-  return unlit;
 }
 
 Visibility render(const MethodInput& input, const MethodOptions& options) {
@@ -100,7 +85,7 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
   result.values.assign(input.depth.words.size(), 1.0F);
   const std::uint64_t lookups =
       map.width == 0 ? 0
-                     : look_up_pixels(input, map, unlit_triangles(scene, silhouettes),
+                     : look_up_pixels(input, map, find_facings(input, disk.centre, disk.radius),
                                       pixel_options, result.values);
   stopwatch.end("pixels");
   MethodAccesses& accesses = result.accesses;

@@ -2,6 +2,7 @@
 #include "functional/methods/d_buffer_band.h"
 
 #include <cstring>
+#include <glm/geometric.hpp>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "functional/methods/d_buffer_band.cpp"
@@ -19,6 +20,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // |cx_o| lies this share of the way through a caster before the far side.
 constexpr float kInside = 0.05F;
+// A lit face does not shadow itself: |cx_o| lies behind it by what its distance from c changes over
+// a texel, as far as a face is not seen from aside: this tangent.
+constexpr double kMostSlope = 2.0;
 
 HWY_INLINE void add(float* sum, float value, M on) {
   store(hn::Add(load(sum), hn::IfThenElseZero(on, set(value))), sum);
@@ -51,6 +55,8 @@ class Drawer {
         map_(map),
         count_(count),
         interpolated_(drawing.options.distances == Distances::interpolated) {
+    const MapRays rays(map.view);
+    texel_ = 0.5 * (glm::length(rays.dx()) + glm::length(rays.dy()));
     forget_touched();
   }
 
@@ -66,11 +72,13 @@ class Drawer {
     for_each_triangle(caster.faces.band(band_), [&](const MapTriangle& t) HWY_ATTR {
       const bool enters = t.faces_light;
       const bool lit = t.tag == DBufferCaster::kLit;
+      const V behind = set(change_over_texel(t));
       draw(t, [&](const Texels& at) HWY_ATTR {
         if (lit) add(word(at.words, Plane::inside), enters ? 1.0F : -1.0F, at.on);
         if (enters) {
           raise_surface(at);
           add(word(at.words, Plane::entries), 1.0F, at.on);
+          raise(word(at.words, Plane::behind_entry), hn::Sub(at.key, behind), at.on);
         }
         raise(word(at.words, enters ? Plane::entry : Plane::exit), at.key, at.on);
       });
@@ -123,6 +131,13 @@ class Drawer {
     V key;
     V edge;  // the key of the silhouette edge that cast it there, where that is nearer
   };
+
+  // Of 1/w; and of the rays' lengths, which change by half a texel's width, or less, of themselves.
+  float change_over_texel(const MapTriangle& face) const {
+    const double slope = std::abs(face.inverse_w.a) + std::abs(face.inverse_w.b);
+    return static_cast<float>(std::min(slope, kMostSlope * texel_ * face.inverse_low) +
+                              texel_ * face.inverse_low);
+  }
 
   static HWY_INLINE float* word(float* texels, Plane plane) {
     return texels + DBufferBand::word(plane);
@@ -199,8 +214,9 @@ class Drawer {
     const V entry = value(texels, Plane::entry);
     const V left = value(texels, Plane::exit);
     const V exit = hn::IfThenElse(hn::Gt(left, zero), left, entry);
+    const V in_it = hn::Add(exit, hn::Mul(set(kInside), hn::Sub(entry, exit)));
     count_.writes += raise(word(texels, Plane::occluder),
-                           hn::Add(exit, hn::Mul(set(kInside), hn::Sub(entry, exit))), crossed);
+                           hn::Min(in_it, value(texels, Plane::behind_entry)), crossed);
 
     const M nearest = options_.crossing == Crossing::nearest    ? crossed
                       : options_.crossing == Crossing::farthest ? hn::Lt(entries, zero)
@@ -283,6 +299,7 @@ class Drawer {
   DBuffer& map_;
   DBuffer::Count& count_;
   bool interpolated_;
+  double texel_;  // its edge at w = 1
   static constexpr int kBlockRows = DBufferBand::kRows / kBlockEdge;
   struct Touched {
     int begin, end;

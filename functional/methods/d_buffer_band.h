@@ -48,6 +48,7 @@ class DBufferBand {
     entries,        // of the caster being drawn: how often a ray enters it
     inside,         // umbra volumes entered less those left
     entry,          // the nearest entry; 0 if none
+    behind_entry,   // a place that is not lit
     exit,           // the nearest place where a ray leaves it
     nearest,        // side of its volume, with its edge; 0 if none
     nearest_edge,

@@ -35,7 +35,8 @@ struct DBufferOptions {
 struct DBuffer {
   struct Texel {
     /// 1/|cx_o|: a little before the ray leaves the first caster, so that texels take neither what
-    /// the light falls on nor what the caster stands on for the other side.
+    /// the light falls on nor what the caster stands on for the other side; of a thinner caster as
+    /// far behind its lit face as that differs over a texel.
     float occluder;
     float umbra;     // 1/|cx_uv|: where it leaves the umbra; -1 where it enters none
     float penumbra;  // 1/|cx_pv|: where it enters the penumbra

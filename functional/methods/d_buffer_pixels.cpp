@@ -154,7 +154,7 @@ class Lookup {
 };
 
 std::uint64_t look_up_row(const MethodInput& input, const DBuffer& map,
-                          const LightFromEye& from_eye, const std::vector<std::uint8_t>& unlit,
+                          const LightFromEye& from_eye, const std::vector<Facing>& facings,
                           const DBufferPixels& options, int y, float* values) {
   const Lookup lookup(map, options);
   std::uint64_t looked_up = 0;
@@ -169,7 +169,8 @@ std::uint64_t look_up_row(const MethodInput& input, const DBuffer& map,
              .triangle[static_cast<std::size_t>(y) * static_cast<std::size_t>(input.window.width) +
                        static_cast<std::size_t>(x)];
     for (std::size_t i = 0; i < some; ++i) {
-      in_shade[i] = triangles[i] != DepthBuffer::kSky && unlit[triangles[i]] != 0 ? 1.0F : 0.0F;
+      in_shade[i] =
+          triangles[i] != DepthBuffer::kSky && facings[triangles[i]] != Facing::light ? 1.0F : 0.0F;
     }
     for (std::size_t i = 0; i < some; i += kLanes) {
       const V px = load(&places.x[i]);
@@ -199,14 +200,14 @@ HWY_EXPORT(look_up_row);
 }  // namespace
 
 std::uint64_t look_up_pixels(const MethodInput& input, const DBuffer& map,
-                             const std::vector<std::uint8_t>& unlit, const DBufferPixels& options,
+                             const std::vector<Facing>& facings, const DBufferPixels& options,
                              std::vector<float>& values) {
   const LightFromEye from_eye(map.view, input.window);
   const auto width = static_cast<std::size_t>(input.window.width);
   std::vector<std::uint64_t> looked_up(static_cast<std::size_t>(input.window.height), 0);
   tbb::parallel_for(std::size_t{0}, looked_up.size(), [&](std::size_t y) {
     looked_up[y] = HWY_DYNAMIC_DISPATCH(look_up_row)(
-        input, map, from_eye, unlit, options, static_cast<int>(y), values.data() + y * width);
+        input, map, from_eye, facings, options, static_cast<int>(y), values.data() + y * width);
   });
   const std::uint64_t all = std::accumulate(looked_up.begin(), looked_up.end(), std::uint64_t{0});
   return options.bilinear ? 4 * all : all;

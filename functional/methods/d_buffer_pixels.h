@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "functional/methods/d_buffer_map.h"
+#include "functional/methods/facing.h"
 #include "functional/methods/method.h"
 
 namespace wedgesim::functional {
@@ -22,11 +23,11 @@ struct DBufferPixels {
 };
 
 /// Looks pixels up in a D-buffer; outside of it and in the sky all of the light is visible.
-/// \param unlit   of each triangle of the scene: a caster's that the disk's centre is behind
-/// \param values  of each pixel
+/// \param facings  of each triangle of the scene, to the disk's centre
+/// \param values   of each pixel
 /// \return texels looked up
 std::uint64_t look_up_pixels(const MethodInput& input, const DBuffer& map,
-                             const std::vector<std::uint8_t>& unlit, const DBufferPixels& options,
+                             const std::vector<Facing>& facings, const DBufferPixels& options,
                              std::vector<float>& values);
 
 }  // namespace wedgesim::functional

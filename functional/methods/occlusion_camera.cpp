@@ -1,6 +1,5 @@
 #include "functional/methods/occlusion_camera.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <array>
@@ -9,6 +8,7 @@
 
 #include "base/error.h"
 #include "functional/geometry/silhouette.h"
+#include "functional/methods/facing.h"
 #include "functional/methods/occlusion_lookup.h"
 #include "functional/methods/occlusion_pixels.h"
 #include "functional/methods/stopwatch.h"
@@ -40,33 +40,6 @@ std::vector<Silhouette> find_silhouettes(const Scene& scene, const glm::dvec3& f
     if (scene.objects[i].casts) silhouettes[i] = find_silhouette(scene.objects[i].mesh, from);
   });
   return silhouettes;
-}
-
-// Of each triangle of the scene, as the depth buffer numbers them.
-std::vector<Facing> facings(const Scene& scene, const Light& light, const glm::dvec3& eye,
-                            std::span<const std::uint32_t> first_triangle) {
-  std::vector<Facing> result(first_triangle.back(), Facing::light);
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (!scene.objects[i].casts) continue;
-    const Mesh& mesh = scene.objects[i].mesh;
-    const tbb::blocked_range<std::size_t> all(0, mesh.triangles.size(), 1024);
-    tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& some) {
-      for (std::size_t t = some.begin(); t < some.end(); ++t) {
-        const auto& corner = mesh.triangles[t];
-        const glm::dvec3& p = mesh.positions[corner[0]];
-        const glm::dvec3 normal =
-            glm::cross(mesh.positions[corner[1]] - p, mesh.positions[corner[2]] - p);
-        // From the side that the eye sees: of two faces in one place it may be given the other.
-        const double side = glm::dot(normal, eye - p) < 0.0 ? -1.0 : 1.0;
-        const double height = side * glm::dot(normal, light.centre - p);
-        if (height > 0.0) continue;
-        result[first_triangle[i] + t] = height < -light.radius * glm::length(normal)
-                                            ? Facing::away
-                                            : Facing::away_from_its_centre;
-      }
-    });
-  }
-  return result;
 }
 
 Visibility render(const MethodInput& input, const MethodOptions& options) {
@@ -102,8 +75,7 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
 
   result.values.assign(input.depth.words.size(), 1.0F);
   const OcclusionLookup lookup(shadows, strips, map, focal_length(light_window), lookups);
-  const std::vector<Facing> facing =
-      facings(scene, light, input.window.eye, input.depth.first_triangle);
+  const std::vector<Facing> facing = find_facings(input, light.centre, light.radius);
   const OcclusionLookup::Count count =
       light_pixels(input, light_window, lookup, facing, result.values);
   stopwatch.end("pixels");

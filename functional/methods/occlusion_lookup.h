@@ -6,13 +6,11 @@
 #include <vector>
 
 #include "functional/methods/distortion_map.h"
+#include "functional/methods/facing.h"
 #include "functional/methods/light_depths.h"
 #include "functional/methods/penumbra_strips.h"
 
 namespace wedgesim::functional {
-
-/// How a triangle stands to the light. What casts no shadow does not face away.
-enum class Facing : std::uint8_t { light, away_from_its_centre, away };
 
 /// What a point of the scene is to the light's camera.
 struct Fragment {

@@ -248,6 +248,48 @@ TEST(DBuffer, VisibilityOfAStraightEdge) {
   EXPECT_GT(printed, 5.0 * exact);
 }
 
+// Two faces in one place: the depth buffer names one, which may be the other one of what is seen.
+// Seen from above the polygon is lit, from below it is not.
+TEST(DBuffer, AThinCasterIsLitOnTheLightsSideAlone) {
+  Scene scene = floor_scene(12.0, 1.0);
+  scene.camera.up = {0.0, 1.0, 0.0};
+  scene.camera.field_of_view_degrees = 40.0;
+  scene.camera.near_plane = 1.0;
+  scene.objects.push_back(
+      object_at(make_thin_polygon({{-2.0, -1.0}, {-2.3, 1.8}, {0.2, 2.2}, {2.1, -1.0}}),
+                {0.0, 3.0, 0.0}, true));
+  for (const double height : {9.0, 1.0}) {
+    scene.camera.eye = {3.0, height, 4.0};
+    scene.camera.target = {0.0, 3.0, 0.0};
+    const Rendered rendered(scene);
+    const auto on_polygon = [&](int x, int y) {
+      const auto i = static_cast<std::size_t>(y * kSize + x);
+      return rendered.depth.triangle[i] != DepthBuffer::kSky &&
+             rendered.depth.surface(i).object == 1;
+    };
+    const std::vector<float> truth = rendered.by(scene, "raytraced-64");
+    for (const char* choice : {"d-buffer", "d-buffer:resolution=256,lookup=bilinear"}) {
+      const std::vector<float> values = rendered.by(scene, choice);
+      int seen = 0;
+      int wrong = 0;
+      constexpr int kTexel = 2;  // pixels: as near to the outline the map has what is beside it
+      for (int y = kTexel; y < kSize - kTexel; ++y) {
+        for (int x = kTexel; x < kSize - kTexel; ++x) {
+          if (!on_polygon(x - kTexel, y) || !on_polygon(x + kTexel, y) ||
+              !on_polygon(x, y - kTexel) || !on_polygon(x, y + kTexel)) {
+            continue;
+          }
+          const auto i = static_cast<std::size_t>(y * kSize + x);
+          ++seen;
+          wrong += std::abs(values[i] - truth[i]) > 0.01F ? 1 : 0;
+        }
+      }
+      EXPECT_GT(seen, 1000) << height;
+      EXPECT_EQ(wrong, 0) << height << ' ' << choice;
+    }
+  }
+}
+
 TEST(DBuffer, RefusesWhatItsPaperDoesNotTreat) {
   Scene scene = floor_scene(8.0, 1.0);
   scene.objects.push_back(object_at(make_box({1.0, 1.0, 1.0}), {0.0, 9.5, 0.0}, true));
