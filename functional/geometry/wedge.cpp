@@ -247,4 +247,23 @@ WorldWedge coverage_wedge(const Light& light, const glm::dvec3& begin, const glm
   return wedge;
 }
 
+std::vector<std::vector<glm::dvec3>> faces_inside(const WorldWedge& wedge,
+                                                  const glm::dvec4& plane) {
+  const auto value = [&](const glm::dvec3& p) { return glm::dot(plane, glm::dvec4(p, 1.0)); };
+  std::vector<std::vector<glm::dvec3>> faces;
+  for (const WedgeFace& face : wedge.faces) {
+    std::vector<glm::dvec3> part;
+    for (std::size_t i = 0; i < face.corners.size(); ++i) {
+      const glm::dvec3& a = wedge.vertices[face.corners[i]];
+      const glm::dvec3& b = wedge.vertices[face.corners[(i + 1) % face.corners.size()]];
+      const double at_a = value(a);
+      const double at_b = value(b);
+      if (at_a >= 0.0) part.push_back(a);
+      if ((at_a >= 0.0) != (at_b >= 0.0)) part.push_back(a + at_a / (at_a - at_b) * (b - a));
+    }
+    if (part.size() >= 3) faces.push_back(std::move(part));
+  }
+  return faces;
+}
+
 }  // namespace wedgesim::functional

@@ -42,4 +42,8 @@ glm::dvec4 quad_plane(const glm::dvec3& light_centre, const glm::dvec3& begin,
 WorldWedge coverage_wedge(const Light& light, const glm::dvec3& begin, const glm::dvec3& end,
                           const EndPlane& end_plane);
 
+/// The outlines of a wedge's faces on one side of a plane, n·p + d ≥ 0; the face that closes this
+/// part lies in the plane and has no corners of its own.
+std::vector<std::vector<glm::dvec3>> faces_inside(const WorldWedge& wedge, const glm::dvec4& plane);
+
 }  // namespace wedgesim::functional

@@ -55,7 +55,7 @@ ScreenWedge* ScreenSides::add_wedge(const WorldWedge& volume, const SidedPlane& 
   for (const WedgeFace& face : volume.faces) {
     corners.clear();
     for (const std::uint32_t c : face.corners) corners.push_back(volume.vertices[c]);
-    for (const WindowPoint& p : clip_to_window(window_, corners)) points.emplace_back(p);
+    add_points(corners, points);
   }
   std::vector<glm::dvec2> hull = convex_hull(points);
   if (hull.empty()) return nullptr;
@@ -70,6 +70,24 @@ ScreenWedge* ScreenSides::add_wedge(const WorldWedge& volume, const SidedPlane& 
   side.wedge.planes.reserve(volume.planes.size());
   for (const glm::dvec4& p : volume.planes) side.wedge.planes.push_back(window_plane(window_, p));
   return &side.wedge;
+}
+
+void ScreenSides::add_points(std::span<const glm::dvec3> polygon,
+                             std::vector<glm::dvec2>& points) const {
+  for (const WindowPoint& p : clip_to_window(window_, polygon)) points.emplace_back(p);
+}
+
+void ScreenSides::split_wedge(const WorldWedge& volume, const SidedPlane& plane,
+                              ScreenWedge& wedge) const {
+  const glm::dvec4 inward = plane.minus ? -plane.plane : plane.plane;
+  wedge.in_halves = true;
+  for (std::size_t half = 0; half < 2; ++half) {
+    std::vector<glm::dvec2> points;
+    for (const auto& face : faces_inside(volume, half == 1 ? inward : -inward)) {
+      add_points(face, points);
+    }
+    wedge.half_hulls[half] = convex_hull(points);
+  }
 }
 
 void set_group(std::vector<ScreenSide>& sides, std::size_t first, std::uint32_t group) {

@@ -29,9 +29,13 @@ class ScreenSides {
   ScreenWedge* add_wedge(const WorldWedge& volume, const SidedPlane& plane, std::size_t first,
                          std::vector<ScreenSide>& sides) const;
 
+  /// Splits a wedge into its halves by the plane of its umbra polygon.
+  void split_wedge(const WorldWedge& volume, const SidedPlane& plane, ScreenWedge& wedge) const;
+
   const Window& window() const { return window_; }
 
  private:
+  void add_points(std::span<const glm::dvec3> polygon, std::vector<glm::dvec2>& points) const;
   ScreenSide bare_side(const SidedPlane& plane) const;
 
   const Window& window_;

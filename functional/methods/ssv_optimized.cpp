@@ -17,6 +17,8 @@ VolumeOptions read_volume_options(const MethodOptions& options) {
       .volumes = {.z = read_z(options),
                   .tight_wedges =
                       options.choice<bool>("wedges", {{"tight", true}, {"loose", false}}),
+                  .in_halves =
+                      options.choice<bool>("halves", {{"pixel", false}, {"polygons", true}}),
                   .by_groups = options.choice<bool>("overlap", {{"sum", false}, {"loops", true}})},
       .cull = options.choice<bool>("cull", {{"tiles", true}, {"none", false}})};
 }
@@ -109,7 +111,7 @@ const Method kSsvOptimized{
     .source = "Paper IV, 4 and 5",
     .options =
         "shader=exact|tables, vbuffer=float|12bit, split=1…4, overlap=sum|loops, "
-        "wedges=tight|loose, cull=tiles|none, z=auto|pass|fail",
+        "wedges=tight|loose, halves=pixel|polygons, cull=tiles|none, z=auto|pass|fail",
     .compared = kCompared,
     .artifacts = kArtifacts,
     .render = render};

@@ -43,6 +43,7 @@ class Builder {
         light_from_window_(light_from_world(light) * window.world_from_window),
         soft_(has_extent(light)),
         tight_wedges_(choices.tight_wedges),
+        in_halves_(choices.in_halves),
         cone_forms_(choices.cone_forms && light.shape == LightShape::sphere),
         sides_(window) {}
 
@@ -102,9 +103,10 @@ class Builder {
     const std::size_t first = sides.size();
     sides_.add_umbra(quad, plane, fb::UmbraRole_side, false, sides);
     if (soft_) {
-      ScreenWedge* wedge =
-          sides_.add_wedge(world_wedge(begin, end, caster.end_plane), plane, first, sides);
+      const WorldWedge volume = world_wedge(begin, end, caster.end_plane);
+      ScreenWedge* wedge = sides_.add_wedge(volume, plane, first, sides);
       if (wedge != nullptr) set_forms(begin, end, *wedge);
+      if (wedge != nullptr && in_halves_) sides_.split_wedge(volume, plane, *wedge);
     }
     return pyramid_.meets(quad);
   }
@@ -186,6 +188,7 @@ class Builder {
   glm::dmat4 light_from_window_;
   bool soft_;
   bool tight_wedges_;
+  bool in_halves_;
   bool cone_forms_;
   ScreenSides sides_;
 };

@@ -17,6 +17,7 @@ enum class ZChoice { automatic, pass, fail };
 struct VolumeChoices {
   ZChoice z = ZChoice::automatic;
   bool tight_wedges = true;  // else those of Paper III where they reach (loose_wedge.h)
+  bool in_halves = false;    // wedges inside and outside of the shadow apart (Paper IV, 4.4)
   bool by_groups = false;    // sides sorted by the loops that shadow together (loop_groups.h)
   bool cone_forms = false;   // a sphere's wedges with cone_forms, not coverage_forms
 };

@@ -29,6 +29,10 @@ struct ScreenUmbra {
 struct ScreenWedge {
   std::vector<WindowForm> planes;  // a point inside has none below 0; more points may
   std::vector<glm::dvec2> hull;    // convex outline on the screen, pixels; empty: no wedge
+  /// Its parts outside and inside of the shadow are drawn one after the other (Paper IV, 4.4), each
+  /// in its own outline; empty: nothing of it is in view.
+  bool in_halves = false;
+  std::array<std::vector<glm::dvec2>, 2> half_hulls;
   /// What a share of light is computed from at a point: window forms and constants.
   std::array<WindowForm, 8> forms{};
   std::array<float, 8> constants{};

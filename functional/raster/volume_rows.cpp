@@ -57,7 +57,13 @@ SideRows side_rows(const ScreenSide& side, int width, int height, int row, bool 
     rows.umbra_tiles = tiles_of(x_begin, x_end);
   }
   if (wedge && !side.wedge.hull.empty()) {
-    rows.wedge_tiles = hull_tiles(side.wedge.hull, y_begin + 0.5 - kPad, y_end - 0.5 + kPad, width);
+    const auto tiles = [&](const std::vector<glm::dvec2>& hull) {
+      return hull_tiles(hull, y_begin + 0.5 - kPad, y_end - 0.5 + kPad, width);
+    };
+    rows.wedge_tiles = tiles(side.wedge.hull);
+    for (std::size_t half = 0; half < 2 && side.wedge.in_halves; ++half) {
+      rows.half_tiles[half] = tiles(side.wedge.half_hulls[half]);
+    }
   }
   return rows;
 }
@@ -100,6 +106,12 @@ bool is_culled(const ScreenWedge& wedge, int column, int row, const DepthTiles::
     const FormRange range = form_range(plane, column, row, tile);
     return range.high < -range.doubt;
   });
+}
+
+bool half_is_culled(const ScreenSide& side, bool inner, int column, int row,
+                    const DepthTiles::Tile& tile) {
+  const FormRange range = form_range(side.plane, column, row, tile);
+  return inner == side.minus ? range.low > range.doubt : range.high < -range.doubt;
 }
 
 }  // namespace wedgesim::functional

@@ -19,6 +19,7 @@ struct SideRows {
   std::array<Span, kTile> umbra;  // pixels that its polygon covers, exactly, row by row
   Span umbra_tiles;
   Span wedge_tiles;
+  std::array<Span, 2> half_tiles;  // of a wedge in halves
 };
 
 /// \param row  of tiles
@@ -40,5 +41,10 @@ FormRange form_range(const WindowForm& form, int column, int row, const DepthTil
 
 /// Whether a wedge's planes show that none of its points is in a tile.
 bool is_culled(const ScreenWedge& wedge, int column, int row, const DepthTiles::Tile& tile);
+
+/// Whether the plane between the halves of a side's wedge shows that no point of one is in a tile.
+/// \param inner  the half in the shadow
+bool half_is_culled(const ScreenSide& side, bool inner, int column, int row,
+                    const DepthTiles::Tile& tile);
 
 }  // namespace wedgesim::functional

@@ -8,6 +8,7 @@
 #define WEDGESIM_FUNCTIONAL_RASTER_VOLUME_SIMD_H
 #endif
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -177,9 +178,11 @@ HWY_INLINE bool umbra_counts_in(std::size_t channel) {
 }
 
 // Adds a wedge's shares at the pixels of a tile.
+// \param part  the pixels that may be changed
 template <typename Share>
 HWY_INLINE Visited add_wedge(const Share& share, const ScreenWedge& wedge, std::uint64_t inner,
-                             const TileHere& here, float* words, std::size_t channel_stride) {
+                             std::uint64_t part, const TileHere& here, float* words,
+                             std::size_t channel_stride) {
   TileForm placed[Share::kForms];
   for (std::size_t i = 0; i < Share::kForms; ++i) placed[i].place(wedge.forms[i], here);
   const std::uint64_t surface = here.tile->surface;
@@ -191,9 +194,10 @@ HWY_INLINE Visited add_wedge(const Share& share, const ScreenWedge& wedge, std::
     V forms[Share::kForms];
     for (std::size_t i = 0; i < Share::kForms; ++i) forms[i] = placed[i].value(dx, dy, dz);
     V shares[Share::kChannels];
+    std::fill_n(shares, Share::kChannels, hn::Zero(kTag));
     M read = hn::Eq(dx, dx);
-    const M counts =
-        hn::And(share(forms, wedge, mask_of(inner >> k), shares, read), mask_of(surface >> k));
+    const M counts = hn::And(share(forms, wedge, mask_of(inner >> k), shares, read),
+                             mask_of((surface & part) >> k));
     visited.read |= bits_of(hn::And(read, mask_of(surface >> k))) << k;
     if (hn::AllFalse(kTag, counts)) continue;
     visited.written |= bits_of(counts) << k;
@@ -210,11 +214,32 @@ HWY_INLINE std::uint64_t count_bits(std::uint64_t bits) {
   return static_cast<std::uint64_t>(std::popcount(bits));
 }
 
+// What is drawn of a side in a tile.
+struct TileVisit {
+  std::uint64_t covered = 0;  // pixels of the umbra polygon
+  bool wedge = false;
+  std::array<bool, 2> halves{};  // of a wedge in halves: outside and inside of the shadow
+};
+
+HWY_INLINE TileVisit visit(const VolumeFrame& frame, const ScreenSide& side, const SideRows& rows,
+                           int column, int row, const DepthTiles::Tile& tile) {
+  TileVisit visit;
+  visit.wedge =
+      rows.wedge_tiles.holds(column) && !(frame.cull && is_culled(side.wedge, column, row, tile));
+  if (rows.umbra_tiles.holds(column)) visit.covered = covered_pixels(rows, column);
+  for (std::size_t i = 0; i < 2 && visit.wedge && side.wedge.in_halves; ++i) {
+    visit.halves[i] = rows.half_tiles[i].holds(column) &&
+                      !(frame.cull && half_is_culled(side, i == 1, column, row, tile));
+  }
+  return visit;
+}
+
 // One side in one tile.
 template <typename Share>
-HWY_INLINE void draw_tile(const Share& share, const ScreenSide& side, std::uint64_t covered,
-                          bool wedge, int column, const TileHere& here, std::size_t channel_stride,
+HWY_INLINE void draw_tile(const Share& share, const ScreenSide& side, const TileVisit& visit,
+                          int column, const TileHere& here, std::size_t channel_stride,
                           VolumeRow& row) {
+  const std::uint64_t covered = visit.covered;
   float* words = row.words.data() + kTilePixels * static_cast<std::size_t>(column);
   const bool cap = side.umbra.role == traces::fb::UmbraRole_cap;
   const std::uint64_t plain = cap ? 0 : inner_bits(side, column, row.row, here);
@@ -235,12 +260,22 @@ HWY_INLINE void draw_tile(const Share& share, const ScreenSide& side, std::uint6
     }
   }
   if constexpr (Share::kForms > 0) {
-    if (!wedge) return;
-    const Visited visited = add_wedge(share, side.wedge, inner, here, words, channel_stride);
-    row.accesses.z_reads += count_bits(visited.read & ~covered);
-    row.accesses.shares += count_bits(visited.written);
-    row.accesses.light_reads += count_bits(visited.written) * kWordsOf<Share>;
-    row.accesses.light_writes += count_bits(visited.written) * kWordsOf<Share>;
+    if (!visit.wedge) return;
+    const auto add = [&](std::uint64_t part, std::uint64_t has_been_read) HWY_ATTR {
+      const Visited visited =
+          add_wedge(share, side.wedge, inner, part, here, words, channel_stride);
+      row.accesses.z_reads += count_bits(visited.read & ~has_been_read);
+      row.accesses.shares += count_bits(visited.written);
+      row.accesses.light_reads += count_bits(visited.written) * kWordsOf<Share>;
+      row.accesses.light_writes += count_bits(visited.written) * kWordsOf<Share>;
+    };
+    if (!side.wedge.in_halves) {
+      add(~std::uint64_t{0}, covered);
+      return;
+    }
+    const std::uint64_t not_by_plane = inner ^ plain;  // which half_is_culled does not know
+    if (visit.halves[0] || (not_by_plane & ~inner) != 0) add(~inner, 0);
+    if (visit.halves[1] || (not_by_plane & inner) != 0) add(inner, 0);
   }
 }
 
@@ -263,15 +298,12 @@ void draw_row_by(const Share& share, const VolumeFrame& frame, VolumeRow& row) {
     for (int column = touched.begin; column < touched.end; ++column) {
       const DepthTiles::Tile& tile = tiles.tile(column, row.row);
       if (tile.surface == 0) continue;
-      const bool wedge = rows.wedge_tiles.holds(column) &&
-                         !(frame.cull && is_culled(side.wedge, column, row.row, tile));
-      const std::uint64_t covered =
-          rows.umbra_tiles.holds(column) ? covered_pixels(rows, column) : 0;
-      if (covered == 0 && !wedge) continue;
+      const TileVisit here_drawn = visit(frame, side, rows, column, row.row, tile);
+      if (here_drawn.covered == 0 && !here_drawn.wedge) continue;
       const TileHere here{kTile * column + 0.5 * kTile, y_begin + 0.5 * kTile, &tile,
                           tiles.depths(column, row.row)};
       if (frame.merge_groups) row.touched[static_cast<std::size_t>(column)] = 1;
-      draw_tile(share, side, covered, wedge, column, here, channel_stride, row);
+      draw_tile(share, side, here_drawn, column, here, channel_stride, row);
     }
   }
 }

@@ -149,6 +149,47 @@ TEST_P(WedgeOfLight, IsTight) {
 
 // The quad's plane: through the light's centre and the edge, positive on the shadow's side, which
 // is left of the directed edge as seen from the light.
+double area(std::span<const glm::dvec3> polygon) {
+  glm::dvec3 sum(0.0);
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    sum += glm::cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  }
+  return 0.5 * glm::length(sum);
+}
+
+// Paper IV, 4.4: do the faces of both halves, each on its side of the shadow quad's plane, make up
+// those of the wedge?
+TEST_P(WedgeOfLight, HalvesMakeUpTheWedge) {
+  Random random(104);
+  int split = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const EdgeCase edge = random_edge(random, GetParam());
+    const WorldWedge wedge = wedge_of(edge);
+    const glm::dvec4 plane = quad_plane(edge.light.centre, edge.begin, edge.end);
+    double whole = 0.0;
+    for (const WedgeFace& face : wedge.faces) {
+      std::vector<glm::dvec3> corners;
+      for (const std::uint32_t c : face.corners) corners.push_back(wedge.vertices[c]);
+      whole += area(corners);
+    }
+    double halves = 0.0;
+    for (const double side : {1.0, -1.0}) {
+      const auto faces = faces_inside(wedge, side * plane);
+      split += faces.empty() ? 0 : 1;
+      for (const auto& face : faces) {
+        halves += area(face);
+        for (const glm::dvec3& p : face) {
+          const double size = glm::distance(p, edge.light.centre);
+          const double depth = glm::dot(side * plane, glm::dvec4(p, 1.0));
+          ASSERT_GT(depth, -1e-9 * size * glm::length(glm::dvec3(plane))) << "case " << i;
+        }
+      }
+    }
+    ASSERT_NEAR(halves, whole, 1e-9 * whole) << "case " << i << ": " << edge;
+  }
+  EXPECT_GT(split, 5000) << "wedges have two halves";
+}
+
 TEST(Wedge, QuadPlaneFacesTheShadow) {
   const glm::dvec4 plane = quad_plane({0, 10, 0}, {1, 0, 1}, {1, 0, -1});
   // Seen from above, z down the page: the edge goes up, the caster is left of it at smaller x.

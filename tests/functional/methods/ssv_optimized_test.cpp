@@ -9,6 +9,8 @@
 
 #include "base/error.h"
 #include "functional/methods/render.h"
+#include "functional/methods/ssv_kernel.h"
+#include "functional/methods/volumes.h"
 #include "functional/reference/reference.h"
 #include "functional/scene/scene_file.h"
 
@@ -192,6 +194,54 @@ TEST(Wedges, LooseOnesOnlyCostMore) {
       EXPECT_GT(other.visibility.accesses.z_reads, tight.visibility.accesses.z_reads) << method;
     }
   }
+}
+
+// Paper IV, 4.4: the halves of a wedge drawn apart. What each pixel gets is the same; the depth is
+// read for each half and for the umbra polygon, but only where the half itself may be.
+TEST(Wedges, HalvesDrawnApartAreTheSame) {
+  for (const LightShape shape : {LightShape::rectangle, LightShape::sphere}) {
+    for (const char* name :
+         {"plain-columns", "text2002", "fractal", "eye-in-shadow", "spheres27"}) {
+      const Scene scene = scene_of(name, shape);
+      const auto of = [&](const std::string& options) {
+        return view_of(scene, "ssv-optimized" + options).visibility;
+      };
+      const Visibility at_once = of("");
+      const Visibility apart = of(":halves=polygons");
+      const Visibility everywhere = of(":halves=polygons,cull=none");
+      EXPECT_EQ(apart.values, at_once.values) << name;
+      EXPECT_EQ(everywhere.values, at_once.values) << name;
+      EXPECT_EQ(apart.accesses.li_writes, at_once.accesses.li_writes) << name;
+      std::cout << name << ": z reads " << at_once.accesses.z_reads << " at once, "
+                << apart.accesses.z_reads << " in halves, " << everywhere.accesses.z_reads
+                << " not culled\n";
+      // The umbra polygons are those of hard shadows; each half is somewhere its wedge is.
+      const std::uint64_t umbra =
+          render_view(scene, choose_method("test", "hard")).visibility.accesses.z_reads;
+      const std::uint64_t halves = apart.accesses.z_reads - umbra;
+      EXPECT_GT(halves, at_once.accesses.z_reads - umbra) << name;
+      EXPECT_LT(halves, 2 * at_once.accesses.z_reads) << name;
+      EXPECT_GT(everywhere.accesses.z_reads, apart.accesses.z_reads) << name;
+    }
+  }
+}
+
+// A pixel that the umbra polygon's depths put on the other side than its plane is drawn in the half
+// that they put it in. Here they put every pixel beyond it.
+TEST(Wedges, HalvesAreOfTheSidesThatDecide) {
+  const Scene scene = scene_of("columns");
+  const View view = view_of(scene, "ssv-optimized");
+  const std::vector<ShadowCaster> casters = find_casters(scene, scene.light);
+  std::vector<ScreenSide> sides = build_volumes(scene, view.window, scene.light, casters,
+                                                {.z = ZChoice::pass, .in_halves = true});
+  const DepthTiles tiles(view.depth);
+  const DrawRow kernel = coverage_kernel(scene.light.shape);
+  for (ScreenSide& side : sides) side.umbra.z_max = -1.0;
+  const std::vector<float> apart = draw_volumes({tiles, sides}, kernel).values;
+  for (ScreenSide& side : sides) side.wedge.in_halves = false;
+  const std::vector<float> at_once = draw_volumes({tiles, sides}, kernel).values;
+  EXPECT_EQ(apart, at_once);
+  EXPECT_NE(at_once, view.visibility.values);
 }
 
 }  // namespace
