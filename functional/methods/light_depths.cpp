@@ -17,8 +17,10 @@
 #ifndef WEDGESIM_FUNCTIONAL_METHODS_LIGHT_DEPTHS_TAG
 #define WEDGESIM_FUNCTIONAL_METHODS_LIGHT_DEPTHS_TAG
 namespace wedgesim::functional {
-// The tag of a triangle of a caster that faces away from the light; all others have 0.
+// Tags of triangles: of casters, facing the light or away from it, and of what casts nothing.
+constexpr std::uint8_t kFront = 0;
 constexpr std::uint8_t kBack = 1;
+constexpr std::uint8_t kReceiver = 2;
 }  // namespace wedgesim::functional
 #endif
 
@@ -27,81 +29,108 @@ namespace wedgesim::functional {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr float kFront = 0.25F;       // of the way from a caster's back to its front
+constexpr float kInside = 0.25F;      // of the way from a caster's back to its front
 constexpr double kMostSlope = 0.002;  // of the depth, over a texel: steeper is seen from aside
+constexpr int kBlocks = kLightTile / kBlockEdge;
 
-// Whatever of a band a triangle covers is drawn: of casters' backs one map, of all else the other.
-HWY_INLINE std::uint64_t draw(const MapTriangle& triangle, int y, ShadowMaps& maps) {
-  const TexelPlane& plane = triangle.inverse_w;
-  const bool back = triangle.tag == kBack;
-  // A back is as far as it is anywhere within a texel: a caster may be thinner than that.
-  const double moved =
-      back ? std::min(std::abs(plane.a) + std::abs(plane.b), kMostSlope * triangle.inverse_low)
-           : 0.0;
-  const V away = set(static_cast<float>(moved));
-  LightDepths& map = back ? maps.casters : maps.surfaces;
-  return for_each_block(
-      triangle, map.size(), y, [&](int column, int row, const BlockRows& rows) HWY_ATTR {
-        const int x = column * kBlockEdge;
-        const int row_of_map = y / kBlockEdge + row;
-        float* texels = map.block(column, row_of_map);
-        const BlockPlane in_block(plane, x, row_of_map * kBlockEdge);
-        for (int lane = 0; lane < kBlock; lane += kLanes) {
-          const V depth = hn::Sub(inverse_w(triangle, in_block, lane), away);
-          const V kept = hn::LoadU(kTag, texels + lane);
-          const V nearest = hn::IfThenElse(rows.covered(x, lane), hn::Max(kept, depth), kept);
-          hn::StoreU(nearest, kTag, texels + lane);
+// A row of tiles as it is drawn, block by block: casters' nearest fronts, 0 where none is, the
+// maps' nearest backs of them, and the farthest of what casts nothing, by −1/z so that again the
+// greatest is kept, in the place of the map's surfaces.
+class TileRow {
+ public:
+  TileRow(ShadowMaps& maps, int row)
+      : columns_(maps.casters.block_columns()),
+        rows_(std::min(kBlocks, columns_ - row * kBlocks)),
+        fronts_(static_cast<std::size_t>(rows_ * columns_ * kBlock), 0.0F),
+        backs_(maps.casters.block(0, row * kBlocks)),
+        receivers_(maps.surfaces.block(0, row * kBlocks)) {
+    std::fill_n(backs_, fronts_.size(), 0.0F);
+    std::fill_n(receivers_, fronts_.size(), -HUGE_VALF);
+  }
+
+  // Of a band, whose first row is y, whatever a triangle covers. Returns texels covered.
+  HWY_INLINE std::uint64_t draw(const MapTriangle& triangle, int size, int y) {
+    const TexelPlane& plane = triangle.inverse_w;
+    const bool back = triangle.tag == kBack;
+    // A back is as far as it is anywhere within a texel: a caster may be thinner than that.
+    const double moved =
+        back ? std::min(std::abs(plane.a) + std::abs(plane.b), kMostSlope * triangle.inverse_low)
+             : 0.0;
+    const V away = set(static_cast<float>(moved));
+    const bool receiver = triangle.tag == kReceiver;
+    const V sign = set(receiver ? -1.0F : 1.0F);
+    float* drawn = receiver ? receivers_ : back ? backs_ : fronts_.data();
+    return for_each_block(
+        triangle, size, y, [&](int column, int row, const BlockRows& rows) HWY_ATTR {
+          const int x = column * kBlockEdge;
+          const int row_of_map = y / kBlockEdge + row;
+          float* texels = drawn + first_of(column, row_of_map % kBlocks);
+          const BlockPlane in_block(plane, x, row_of_map * kBlockEdge);
+          for (int lane = 0; lane < kBlock; lane += kLanes) {
+            const V depth = hn::Mul(sign, hn::Sub(inverse_w(triangle, in_block, lane), away));
+            const V kept = hn::LoadU(kTag, texels + lane);
+            const V greatest = hn::IfThenElse(rows.covered(x, lane), hn::Max(kept, depth), kept);
+            hn::StoreU(greatest, kTag, texels + lane);
+          }
+        });
+  }
+
+  // From the back of the first layer of casters to a place inside it; and what a tile then holds.
+  HWY_INLINE TileDepths finish(int tile_column) {
+    V least = set(HUGE_VALF);
+    V greatest = hn::Zero(kTag);
+    const int end = std::min(columns_, (tile_column + 1) * kBlocks);
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = tile_column * kBlocks; column < end; ++column) {
+        for (std::size_t lane = 0; lane < kBlock; lane += kLanes) {
+          const V caster = finish_lanes(first_of(column, row) + lane);
+          least = hn::Min(least, caster);
+          greatest = hn::Max(greatest, caster);
         }
-      });
-}
-
-// From the back of the first layer of casters to a place inside it; and what a tile then holds.
-HWY_INLINE TileDepths finish_tile(ShadowMaps& maps, int tile_column, int tile_row) {
-  constexpr int kBlocks = kLightTile / kBlockEdge;
-  const int columns = maps.casters.block_columns();
-  V least = set(HUGE_VALF);
-  V greatest = hn::Zero(kTag);
-  for (int row = tile_row * kBlocks; row < std::min(columns, (tile_row + 1) * kBlocks); ++row) {
-    for (int column = tile_column * kBlocks;
-         column < std::min(columns, (tile_column + 1) * kBlocks); ++column) {
-      const float* surfaces = maps.surfaces.block(column, row);
-      float* backs = maps.casters.block(column, row);
-      for (int lane = 0; lane < kBlock; lane += kLanes) {
-        const V zero = hn::Zero(kTag);
-        const V back = hn::LoadU(kTag, backs + lane);
-        const V in_front = hn::Max(zero, hn::Sub(hn::LoadU(kTag, surfaces + lane), back));
-        const V inside = hn::Add(back, hn::Mul(set(kFront), in_front));
-        const V caster = hn::IfThenElseZero(hn::Gt(back, zero), inside);
-        hn::StoreU(caster, kTag, backs + lane);
-        least = hn::Min(least, caster);
-        greatest = hn::Max(greatest, caster);
       }
     }
+    return {hn::GetLane(hn::MinOfLanes(kTag, least)), hn::GetLane(hn::MaxOfLanes(kTag, greatest))};
   }
-  return {hn::GetLane(hn::MinOfLanes(kTag, least)), hn::GetLane(hn::MaxOfLanes(kTag, greatest))};
-}
 
-// A row of tiles.
+ private:
+  std::size_t first_of(int column, int row) const {
+    return static_cast<std::size_t>(row * columns_ + column) * kBlock;
+  }
+  HWY_INLINE V finish_lanes(std::size_t at) {
+    const V zero = hn::Zero(kTag);
+    const V front = hn::LoadU(kTag, &fronts_[at]);
+    const V back = hn::LoadU(kTag, backs_ + at);
+    const V in_front = hn::Max(zero, hn::Sub(front, back));
+    const V inside = hn::Add(back, hn::Mul(set(kInside), in_front));
+    const V caster = hn::IfThenElseZero(hn::Gt(back, zero), inside);
+    hn::StoreU(caster, kTag, backs_ + at);
+    const V receiver = hn::LoadU(kTag, receivers_ + at);
+    const M receives = hn::Gt(receiver, set(-HUGE_VALF));
+    hn::StoreU(hn::Max(front, hn::IfThenElseZero(receives, hn::Neg(receiver))), kTag,
+               receivers_ + at);
+    return caster;
+  }
+
+  int columns_, rows_;  // of blocks
+  std::vector<float> fronts_;
+  float* backs_;
+  float* receivers_;
+};
+
 std::uint64_t draw_tiles(const MapTriangles& triangles, int tile_row, ShadowMaps& maps) {
   constexpr int kBands = kLightTile / MapTriangles::kBandRows;
-  constexpr int kBlocks = kLightTile / kBlockEdge;
-  const int columns = maps.casters.block_columns();
-  for (int row = tile_row * kBlocks; row < std::min(columns, (tile_row + 1) * kBlocks); ++row) {
-    const std::size_t texels = static_cast<std::size_t>(columns) * kBlock;
-    std::fill_n(maps.surfaces.block(0, row), texels, 0.0F);
-    std::fill_n(maps.casters.block(0, row), texels, 0.0F);
-  }
+  const int size = maps.casters.size();
+  TileRow row(maps, tile_row);
   std::uint64_t compared = 0;
-  const int bands = MapTriangles::bands(maps.casters.size());
+  const int bands = MapTriangles::bands(size);
   for (int band = tile_row * kBands; band < std::min(bands, (tile_row + 1) * kBands); ++band) {
     for_each_triangle(triangles.band(band), [&](const MapTriangle& triangle) HWY_ATTR {
-      compared += draw(triangle, band * MapTriangles::kBandRows, maps);
+      compared += row.draw(triangle, size, band * MapTriangles::kBandRows);
     });
   }
-  const int tiles = light_tiles(maps.casters.size());
+  const int tiles = light_tiles(size);
   for (int column = 0; column < tiles; ++column) {
-    maps.caster_tiles[static_cast<std::size_t>(tile_row * tiles + column)] =
-        finish_tile(maps, column, tile_row);
+    maps.caster_tiles[static_cast<std::size_t>(tile_row * tiles + column)] = row.finish(column);
   }
   return compared;
 }
@@ -138,8 +167,9 @@ ShadowMaps draw_shadow_maps(const Scene& scene, std::span<const Silhouette> silh
     const Mesh& mesh = object.mesh;
     const auto& c = mesh.triangles[t - first[i]];
     MapTriangles::Input input{{mesh.positions[c[0]], mesh.positions[c[1]], mesh.positions[c[2]]}};
-    const bool back = object.casts && !silhouettes[i].light_facing[t - first[i]];
-    input.tag = back ? kBack : 0;
+    input.tag = !object.casts                               ? kReceiver
+                : silhouettes[i].light_facing[t - first[i]] ? kFront
+                                                            : kBack;
     return input;
   });
 

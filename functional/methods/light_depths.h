@@ -13,7 +13,7 @@
 
 namespace wedgesim::functional {
 
-/// The nearest surfaces as a light's centre sees them, by 1/z with z the depth along its axis in
+/// A map of surfaces as a light's centre sees them, by 1/z with z the depth along its axis in
 /// world units: linear across a triangle; 0 where nothing is. Kept in blocks, as maps are drawn.
 class LightDepths {
  public:
@@ -58,10 +58,12 @@ struct TileDepths {
 
 /// What a light's centre sees of a scene.
 struct ShadowMaps {
-  LightDepths surfaces;  // casters and receivers, as they are
-  /// Inside the first caster: a quarter of the way from its back to the nearest surface, so that
-  /// neither a caster's lit side hides itself nor what touches its back is lit. (Woo's midpoint,
-  /// nearer to the back, because steep sides need more room than contacts.)
+  /// Where light ends: the nearest of the casters' fronts and, of what casts no shadow, of the
+  /// farthest, as it does not keep the light from what is behind it.
+  LightDepths surfaces;
+  /// Inside the first caster: a quarter of the way from its back to its front, so that neither a
+  /// caster's lit side hides itself nor what touches its back is lit. (Woo's midpoint, nearer to
+  /// the back, because steep sides need more room than contacts.)
   LightDepths casters;
   std::vector<TileDepths> caster_tiles;  // row by row
   std::uint64_t compared = 0;            // texels that were compared with a triangle

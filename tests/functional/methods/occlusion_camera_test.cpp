@@ -256,6 +256,30 @@ TEST(Artifacts, FalseShadows) {
   EXPECT_LE(falsely_dark(frame.values()), 5U);
 }
 
+// Panes that cast no shadow, one above the caster and one below it.
+TEST(OcclusionCamera, WhatCastsNoShadowKeepsNoLightFromWhatIsBehindIt) {
+  Scene scene = one_box().scene;
+  scene.camera.eye = {0.0, 3.5, 8.0};
+  const Frame without(scene);
+  const std::vector<float> values_without = without.values();
+  for (const auto& [size, height] : {std::pair(20.0, 4.0), std::pair(3.0, 0.6)}) {
+    scene.objects.push_back(
+        {placed(make_plane({size, size}, {1, 1}), {.position = {1.0, height, 0.0}}), false});
+  }
+  const Frame frame(std::move(scene));
+  const std::vector<float> values = frame.values();
+  EXPECT_LE(frame.rmse(values), 0.005);
+  EXPECT_LE(frame.rmse(values, true), 0.04);
+  EXPECT_LE(frame.off(values, 0.1F), 0U);
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (frame.receives(i) || frame.depth.triangle[i] == DepthBuffer::kSky) continue;
+    ++seen;
+    EXPECT_EQ(values[i], values_without[i]) << i;
+  }
+  EXPECT_GT(seen, 100U);
+}
+
 std::string error_of(const Scene& scene) {
   try {
     const Window window = make_window(scene.camera, scene.width, scene.height);
