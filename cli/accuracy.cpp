@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -49,8 +50,9 @@ std::optional<accuracy::Wish> parse_wish(const Arguments& arguments) {
 
 /// A scene to be measured and the choices of method on it; none: what stands for every method.
 struct Job {
-  std::string scene;  // or a view
+  std::string name;  // of a scene, or a view
   std::vector<functional::MethodChoice> choices;
+  std::optional<functional::Scene> scene = {};
 };
 
 std::vector<Job> jobs_of(const Arguments& arguments) {
@@ -59,15 +61,16 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
     choices.push_back(functional::choose_method("--method", text));
   }
   std::vector<Job> jobs;
-  for (const std::string& scene : arguments.scenes) jobs.push_back({scene, choices});
+  for (const std::string& scene : arguments.scenes)
+    jobs.push_back({.name = scene, .choices = choices});
   if (arguments.published) {
     for (const accuracy::View& view : accuracy::built_in_views()) {
-      if (view.published) jobs.push_back({view.name, choices});
+      if (view.published) jobs.push_back({.name = view.name, .choices = choices});
     }
   }
   if (!arguments.claims.empty()) {
     for (const auto& [scene, texts] : accuracy::work_of(reports::method_claims())) {
-      Job& job = jobs.emplace_back(Job{scene, {}});
+      Job& job = jobs.emplace_back(Job{.name = scene, .choices = {}});
       for (const std::string& text : texts) {
         job.choices.push_back(functional::choose_method("reports/claims.toml", text));
       }
@@ -84,6 +87,10 @@ std::optional<functional::Scene> load_scene(const Arguments& arguments, const st
     SceneArguments one = arguments.scene;
     one.scene = name;
     return one.load(arguments.json);
+  }
+  if (!arguments.scene.is_default()) {
+    throw InputError(name, "is a view, whose size, frame, light and mesh are its own",
+                     "no option that changes the scene");
   }
   std::optional<functional::Scene> scene = view->load(arguments.meshes);
   if (!scene) {
@@ -103,6 +110,11 @@ void check_what_is_measured(const Arguments& arguments) {
   }
   if (!arguments.claims.empty() && !arguments.methods.empty()) {
     throw InputError("--method", "does not go with --claims", "one of the two");
+  }
+  if (arguments.scenes.empty() && !arguments.scene.is_default()) {
+    throw InputError(arguments.published ? "--published" : "--claims",
+                     "has scenes of its own size, frame, light and mesh",
+                     "no option that changes the scene");
   }
 }
 
@@ -130,16 +142,18 @@ int run(const Arguments& arguments) {
   std::vector<accuracy::SceneResult> results;
   std::vector<accuracy::Pictures> pictures;
   bool met = true;
-  for (const Job& job : jobs_of(arguments)) {
-    std::optional<functional::Scene> scene = load_scene(arguments, job.scene);
-    if (!scene) continue;
-    const std::string name = scene->name;
+  std::vector<Job> jobs = jobs_of(arguments);
+  for (Job& job : jobs) job.scene = load_scene(arguments, job.name);  // all, before work begins
+  std::erase_if(jobs, [](const Job& job) { return !job.scene; });
+  for (Job& job : jobs) {
+    const std::string name = job.scene->name;
     options.choices = job.choices;
     {
       Progress progress;
-      results.push_back(accuracy::measure(std::move(*scene), options, [&](std::string_view choice) {
-        progress.show(fmt::format("accuracy: {}, {}", name, choice));
-      }));
+      results.push_back(
+          accuracy::measure(std::move(*job.scene), options, [&](std::string_view choice) {
+            progress.show(fmt::format("accuracy: {}, {}", name, choice));
+          }));
     }
     print(accuracy::accuracy_text(results.back(), asked));
     if (!arguments.out.empty()) {
@@ -148,15 +162,19 @@ int run(const Arguments& arguments) {
     for (accuracy::Measured& measured : results.back().methods) measured.visibility.clear();
     met = met && (!wish || accuracy::recommend(results.back().methods, *wish).method.has_value());
   }
+  std::vector<accuracy::ShownArtifact> artifacts;
+  if (!arguments.out.empty()) {
+    const auto written =
+        accuracy::write_artifacts(arguments.out, find_artifacts(results, options.rays));
+    accuracy::write_accuracy(arguments.out, {options, results, pictures, written}, asked);
+    std::ranges::transform(written, std::back_inserter(artifacts),
+                           &accuracy::ArtifactPictures::shown);
+  }
   if (!arguments.json.empty()) {
-    reports::write_json(arguments.json, accuracy::accuracy_json(options, results, asked));
+    reports::write_json(arguments.json,
+                        accuracy::accuracy_json(options, results, asked, artifacts));
   }
   print(accuracy::published_text(results));
-  if (!arguments.out.empty()) {
-    const auto artifacts =
-        accuracy::write_artifacts(arguments.out, find_artifacts(results, options.rays));
-    accuracy::write_accuracy(arguments.out, {options, results, pictures, artifacts}, asked);
-  }
   if (!arguments.claims.empty()) {
     const reports::Results measured = accuracy::claim_results(results);
     const auto judged = reports::judge_claims(reports::method_claims(), measured);

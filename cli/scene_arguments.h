@@ -16,6 +16,10 @@ struct SceneArguments {
   void add_to(CLI::App& app);
   /// All but the scene itself.
   void add_options_to(CLI::App& app);
+  /// Whether no option changes the scene.
+  bool is_default() const {
+    return size.empty() && frame == "0" && mesh.empty() && light.empty() && !repair;
+  }
   /// Loads the scene; what a repair did is said on standard error.
   /// \param output  what will be written
   /// \throws InputError for anything wrong with the options or the scene, or if the scene is read

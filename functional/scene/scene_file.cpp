@@ -147,6 +147,10 @@ void set_lights(Scene& scene, const TomlTable& table, const std::filesystem::pat
   for (const TomlTable& entry : table.one_or_more_tables("light")) {
     const LightFile file = read_light(entry, {folder, options.frame});
     std::ranges::move(light_textures(entry, folder), std::back_inserter(scene.files));
+    if (file.light.texture &&
+        options.light_shape.value_or(LightShape::rectangle) != LightShape::rectangle) {
+      throw InputError("--light", "does not go with the light's texture", "rect");
+    }
     Light light = options.light_shape ? reshaped(file, *options.light_shape) : file.light;
     light.half_u *= options.light_scale;
     light.half_v *= options.light_scale;

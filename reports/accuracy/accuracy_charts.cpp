@@ -125,8 +125,7 @@ std::string caption_of(const SceneResult& result, const Axis& axis,
 page::RowChart scatter(const SceneResult& result, const std::string& label, const Axis& axis,
                        const std::vector<std::string>& methods) {
   page::RowChart chart{label + "-" + axis.id, "RMSE on receivers over " + axis.title, {}, {}, {}};
-  std::vector<std::size_t> front = pareto_front(result.methods, axis.cost);
-  std::erase_if(front, [&](std::size_t i) { return axis.cost(result.methods[i]) <= 0.0; });
+  const std::vector<std::size_t> front = pareto_front(result.methods, axis.cost);
   chart.rows = rows_of(result, axis, front);
   chart.caption = caption_of(result, axis, front, chart.rows.size());
   chart.spec = page::new_spec(fmt::format("{}: {}. {}", label, chart.title, chart.caption));

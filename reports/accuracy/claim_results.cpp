@@ -1,31 +1,48 @@
 #include "reports/accuracy/claim_results.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
 
-#include "functional/geometry/silhouette.h"
 #include "reports/runner/value.h"
 
 namespace wedgesim::reports::accuracy {
 namespace {
 
-// Silhouette vertices of a scene at which an odd number of edges meet (Paper V: none).
-std::int64_t odd_degree_vertices(const functional::Scene& scene) {
-  std::int64_t odd = 0;
+// How many silhouette edges meet at a vertex of a scene, counted from the triangles: an edge that
+// is in front of one of its triangles alone.
+struct Degrees {
+  std::int64_t odd = 0;      // vertices with an odd number (Paper V: none)
+  std::int64_t largest = 0;  // number at any vertex
+};
+
+Degrees silhouette_degrees(const functional::Scene& scene) {
+  Degrees degrees;
   for (const functional::Object& object : scene.objects) {
     if (!object.casts) continue;
-    std::map<std::uint32_t, int> degrees;
-    for (const auto& loop : functional::find_silhouette(object.mesh, scene.light.centre).loops) {
-      for (const functional::SilhouetteEdge& edge : loop) {
-        ++degrees[edge.begin];
-        ++degrees[edge.end];
-      }
+    const functional::Mesh& mesh = object.mesh;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> lit_sides;
+    for (const auto& t : mesh.triangles) {
+      const glm::dvec3& a = mesh.positions[t[0]];
+      const glm::dvec3 normal = glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
+      const int lit = glm::dot(normal, scene.light.centre - a) > 0.0 ? 1 : 0;
+      for (std::size_t i = 0; i < 3; ++i) lit_sides[std::minmax(t[i], t[(i + 1) % 3])] += lit;
     }
-    odd += std::ranges::count_if(degrees, [](const auto& at) { return at.second % 2 != 0; });
+    std::map<std::uint32_t, std::int64_t> at;
+    for (const auto& [edge, lit] : lit_sides) {
+      if (lit % 2 == 0) continue;
+      ++at[edge.first];
+      ++at[edge.second];
+    }
+    for (const auto& [vertex, count] : at) {
+      degrees.odd += count % 2;
+      degrees.largest = std::max(degrees.largest, count);
+    }
   }
-  return odd;
+  return degrees;
 }
 
-Values metrics_of(const Measured& measured, std::int64_t odd_degrees) {
+Values metrics_of(const Measured& measured, const Degrees& degrees) {
   const functional::MethodAccesses& accesses = measured.accesses;
   const Timing& timing = measured.timing;
   const auto count = [](std::uint64_t words) { return static_cast<std::int64_t>(words); };
@@ -48,7 +65,8 @@ Values metrics_of(const Measured& measured, std::int64_t odd_degrees) {
                  {"bytes", count(accesses.bytes)},
                  {"bytes_without_sums",
                   count(accesses.bytes - accesses.sums * functional::MethodAccesses::kSumBytes)},
-                 {"odd_degree_vertices", odd_degrees}};
+                 {"odd_degree_vertices", degrees.odd},
+                 {"largest_degree", degrees.largest}};
   for (const functional::Stage& stage : timing.stages) {
     metrics[stage.name + "_milliseconds"] = 1e3 * stage.seconds;
   }
@@ -84,14 +102,14 @@ Results claim_results(const std::vector<SceneResult>& scenes) {
     FrameRow frame;
     frame.label = frame.scene = scene.scene.name;
     results.frames.push_back(frame);
-    const std::int64_t odd_degrees = odd_degree_vertices(scene.scene);
+    const Degrees degrees = silhouette_degrees(scene.scene);
     for (const Measured& measured : scene.methods) {
       if (measured.refused) continue;
       PointRow point;
       point.frame = frame.label;
       point.measure = "accuracy";
       point.configuration = {{"method", measured.choice.text}};
-      point.metrics = metrics_of(measured, odd_degrees);
+      point.metrics = metrics_of(measured, degrees);
       results.points.push_back(std::move(point));
     }
   }

@@ -7,6 +7,8 @@
 namespace wedgesim::reports::accuracy {
 namespace {
 
+constexpr double kLargeOnCasters = 0.1;  // RMSE
+
 std::string words_of(const Measured& measured) {
   return fmt::format("{} (RMSE {:.4f}, {:.1f} ms)", measured.choice.text, error_of(measured),
                      1e3 * seconds_of(measured));
@@ -31,6 +33,10 @@ std::string reason(const std::vector<Measured>& methods, std::size_t chosen, con
   const std::vector<std::size_t> front = pareto_front(methods);
   const auto place = std::ranges::find(front, chosen);
   std::string why = fmt::format("{} for {}", words_of(methods[chosen]), wish_words(wish));
+  const Errors& casters = methods[chosen].on(Region::casters);
+  if (casters.rmse > kLargeOnCasters) {
+    why += fmt::format("; on casters its RMSE is {:.2f}", casters.rmse);
+  }
   if (place != front.begin() && place != front.end()) {
     why += fmt::format("; what is faster is less exact: {}", words_of(methods[*(place - 1)]));
   }
@@ -53,7 +59,10 @@ std::string nearest_misses(const std::vector<Measured>& methods, const Wish& wis
 
 }  // namespace
 
-double error_of(const Measured& measured) { return measured.on(Region::receivers).rmse; }
+double error_of(const Measured& measured) {
+  const Errors& receivers = measured.on(Region::receivers);
+  return receivers.values > 0 ? receivers.rmse : measured.on(Region::surfaces).rmse;
+}
 
 double seconds_of(const Measured& measured) { return measured.timing.all_threads; }
 
@@ -66,7 +75,7 @@ std::vector<std::size_t> pareto_front(const std::vector<Measured>& methods) {
 std::vector<std::size_t> pareto_front(const std::vector<Measured>& methods, Cost cost) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    if (!methods[i].refused) order.push_back(i);
+    if (!methods[i].refused && cost(methods[i]) > 0.0) order.push_back(i);
   }
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
     if (cost(methods[a]) != cost(methods[b])) return cost(methods[a]) < cost(methods[b]);

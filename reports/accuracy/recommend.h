@@ -9,7 +9,8 @@
 
 namespace wedgesim::reports::accuracy {
 
-/// The error that choices are ranked by: RMSE on receivers, which every method treats.
+/// The error that choices are ranked by: RMSE on receivers, which every method treats, or on all
+/// surfaces where no receiver is seen.
 double error_of(const Measured& measured);
 
 /// Which choices no other one beats in both error and run time on all threads, fastest first.
@@ -20,7 +21,7 @@ std::vector<std::size_t> pareto_front(const std::vector<Measured>& methods);
 using Cost = double (*)(const Measured&);
 double seconds_of(const Measured& measured);  // run time on all threads
 double bytes_of(const Measured& measured);    // of all its accesses
-/// The same for any cost, the cheapest first.
+/// The same for any cost, the cheapest first, of the choices that have it: more than 0.
 std::vector<std::size_t> pareto_front(const std::vector<Measured>& methods, Cost cost);
 
 /// What is asked of a method; at least one is given.

@@ -79,6 +79,11 @@ TEST_F(Accuracy, BadInputIsOneClearLine) {
            {{"plain-columns", "--published"}, {"several things"}},
            {{"--claims", file("c.md"), "--method", "hard"}, {"--method", "--claims"}},
            {{"nowhere"}, {"nowhere"}},
+           {{"--published"}, {"--published", "no option that changes"}},
+           {{"--claims", file("c.md"), "--frame", "1"}, {"--claims", "no option that changes"}},
+           {{"torus-224 300x300", "--light", "sphere"}, {"torus-224", "is a view"}},
+           {{"fire", "--light", "sphere"}, {"--light", "texture"}},
+           {{"plain-columns", "--method", "hard", "-o", file("d"), "nowhere"}, {"nowhere"}},
            {{"plain-columns", "--method", "guess"}, {"--method", "unknown method 'guess'"}},
            {{"plain-columns", "--method", "hard:no=1"}, {"hard:no=1", "unknown option 'no'"}},
            {{"plain-columns", "--max-error", "2"}, {"--max-error", "'2'"}},
@@ -87,6 +92,7 @@ TEST_F(Accuracy, BadInputIsOneClearLine) {
            {{"plain-columns", "--json", "/dev/null/a.json"}, {"/dev/null"}}}) {
     expect_bad_input(accuracy(options), words);
   }
+  EXPECT_FALSE(std::filesystem::exists(file("d"))) << "nothing is measured before all is read";
 }
 
 }  // namespace

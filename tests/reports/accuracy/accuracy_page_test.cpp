@@ -99,7 +99,7 @@ TEST(AccuracyWords, SayHowMuchLongerRayTracingTakes) {
         {"hard", 0.05, 1e-9}}) {  // too wrong to be spoken of
     Measured& measured = result.methods.emplace_back();
     measured.choice = functional::choose_method("", choice);
-    measured.errors[static_cast<std::size_t>(Region::receivers)].rmse = error;
+    measured.errors[static_cast<std::size_t>(Region::receivers)] = {.values = 1, .rmse = error};
     measured.timing.all_threads = seconds;
   }
   EXPECT_EQ(finding_words(result)[1],

@@ -9,7 +9,7 @@ namespace {
 Measured made(const std::string& choice, double error, double seconds) {
   Measured measured;
   measured.choice = functional::choose_method("", choice);
-  measured.errors[static_cast<std::size_t>(Region::receivers)].rmse = error;
+  measured.errors[static_cast<std::size_t>(Region::receivers)] = {.values = 1, .rmse = error};
   measured.timing.all_threads = seconds;
   return measured;
 }

@@ -8,9 +8,23 @@ namespace {
 Measured made(const std::string& name, double error, double milliseconds) {
   Measured measured;
   measured.choice.text = name;
-  measured.errors[static_cast<std::size_t>(Region::receivers)].rmse = error;
+  measured.errors[static_cast<std::size_t>(Region::receivers)] = {.values = 1, .rmse = error};
   measured.timing.all_threads = 1e-3 * milliseconds;
   return measured;
+}
+
+TEST(ErrorOf, IsThatOfAllSurfacesWithoutAReceiver) {
+  Measured measured;
+  measured.errors[static_cast<std::size_t>(Region::surfaces)] = {.values = 4, .rmse = 0.3};
+  EXPECT_EQ(error_of(measured), 0.3);
+  measured.errors[static_cast<std::size_t>(Region::receivers)] = {.values = 2, .rmse = 0.1};
+  EXPECT_EQ(error_of(measured), 0.1);
+}
+
+TEST(ParetoFront, LeavesOutWhatHasNoSuchCost) {
+  std::vector<Measured> methods{made("nothing told", 0.001, 1.0), made("cheap", 0.1, 1.0)};
+  methods[1].accesses.bytes = 100;
+  EXPECT_EQ(pareto_front(methods, bytes_of), std::vector<std::size_t>{1});
 }
 
 struct Recommend : testing::Test {
