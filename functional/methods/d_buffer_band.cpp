@@ -147,22 +147,22 @@ class Drawer {
   template <typename Change>
   HWY_INLINE void draw(const MapTriangle& triangle, Change&& change) {
     count_.tests += for_each_block(
-        triangle, map_.width, y_begin_, [&](int column, int row, const BlockRows& rows) HWY_ATTR {
+        triangle, map_.width, y_begin_, [&](int column, int row, const auto& texels) HWY_ATTR {
           Touched& touched = touched_[static_cast<std::size_t>(row)];
           touched = {std::min(touched.begin, column), std::max(touched.end, column + 1)};
-          draw_block(triangle, column, row, rows, change);
+          draw_block(triangle, column, row, texels, change);
         });
   }
-  template <typename Change>
+  template <typename Covered, typename Change>
   HWY_INLINE void draw_block(const MapTriangle& triangle, int column, int row,
-                             const BlockRows& rows, Change&& change) {
+                             const Covered& texels, Change&& change) {
     const int x = column * kBlockEdge;
     const int y = y_begin_ + row * kBlockEdge;
     float* words = rows_.block(column, row);
     const BlockPlane plane(triangle.inverse_w, x, y);
     const BlockPlane other(triangle.other_over_w, x, y);
     for (int lane = 0; lane < kBlock; lane += kLanes) {
-      Texels at{words + lane, rows.covered(x, lane), inverse_w(triangle, plane, lane),
+      Texels at{words + lane, texels.covered(x, lane), inverse_w(triangle, plane, lane),
                 other.at(lane)};
       if (interpolated_) {
         at.edge = hn::Div(at.key, at.edge);

@@ -60,19 +60,18 @@ class TileRow {
     const bool receiver = triangle.tag == kReceiver;
     const V sign = set(receiver ? -1.0F : 1.0F);
     float* drawn = receiver ? receivers_ : back ? backs_ : fronts_.data();
-    return for_each_block(
-        triangle, size, y, [&](int column, int row, const BlockRows& rows) HWY_ATTR {
-          const int x = column * kBlockEdge;
-          const int row_of_map = y / kBlockEdge + row;
-          float* texels = drawn + first_of(column, row_of_map % kBlocks);
-          const BlockPlane in_block(plane, x, row_of_map * kBlockEdge);
-          for (int lane = 0; lane < kBlock; lane += kLanes) {
-            const V depth = hn::Mul(sign, hn::Sub(inverse_w(triangle, in_block, lane), away));
-            const V kept = hn::LoadU(kTag, texels + lane);
-            const V greatest = hn::IfThenElse(rows.covered(x, lane), hn::Max(kept, depth), kept);
-            hn::StoreU(greatest, kTag, texels + lane);
-          }
-        });
+    return for_each_block(triangle, size, y, [&](int column, int row, const auto& part) HWY_ATTR {
+      const int x = column * kBlockEdge;
+      const int row_of_map = y / kBlockEdge + row;
+      float* texels = drawn + first_of(column, row_of_map % kBlocks);
+      const BlockPlane in_block(plane, x, row_of_map * kBlockEdge);
+      for (int lane = 0; lane < kBlock; lane += kLanes) {
+        const V depth = hn::Mul(sign, hn::Sub(inverse_w(triangle, in_block, lane), away));
+        const V kept = hn::LoadU(kTag, texels + lane);
+        const V greatest = hn::IfThenElse(part.covered(x, lane), hn::Max(kept, depth), kept);
+        hn::StoreU(greatest, kTag, texels + lane);
+      }
+    });
   }
 
   // From the back of the first layer of casters to a place inside it; and what a tile then holds.

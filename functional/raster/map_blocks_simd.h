@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <span>
@@ -141,6 +142,47 @@ struct BlockRows {
   }
 };
 
+// What a small triangle covers of blocks: by the integer functions of its sides, which there have
+// room in 32 bits.
+class BlockSides {
+ public:
+  static constexpr std::int32_t kMostExtent = 16 * 256;
+
+  HWY_INLINE explicit BlockSides(const MapTriangle& triangle) : corners_(triangle.corners) {
+    if (triangle.faces_light) std::swap(corners_[1], corners_[2]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      dx_[i] = corners_[(i + 1) % 3].x - corners_[i].x;
+      dy_[i] = corners_[(i + 1) % 3].y - corners_[i].y;
+      // On a left or a top side centres are inside.
+      least_[i] = dy_[i] < 0 || (dy_[i] == 0 && dx_[i] > 0) ? 0 : 1;
+    }
+  }
+  HWY_INLINE void place(int column, int row) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t x = 256 * kBlockEdge * column + 128 - corners_[i].x;
+      const std::int32_t y = 256 * kBlockEdge * row + 128 - corners_[i].y;
+      first_[i] = dx_[i] * y - dy_[i] * x - least_[i];
+    }
+  }
+  // The texels of the block that it was placed at that are covered.
+  HWY_INLINE M covered(int /*x*/, int lane) const {
+    const hn::RebindToSigned<D> whole;
+    const auto column = hn::ConvertTo(whole, load(kColumns + lane));
+    const auto line = hn::ConvertTo(whole, load(kLines + lane));
+    auto all = hn::Zero(whole);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto down = hn::Mul(hn::Set(whole, 256 * dx_[i]), line);
+      const auto across = hn::Mul(hn::Set(whole, 256 * dy_[i]), column);
+      all = hn::Or(all, hn::Add(hn::Set(whole, first_[i]), hn::Sub(down, across)));
+    }
+    return hn::RebindMask(kTag, hn::Gt(all, hn::Set(whole, -1)));
+  }
+
+ private:
+  std::array<MapTriangle::Corner, 3> corners_;
+  std::array<std::int32_t, 3> dx_, dy_, least_, first_{};
+};
+
 // Calls draw(triangle) for each, and asks memory early for those that follow.
 template <typename Draw>
 HWY_INLINE void for_each_triangle(std::span<const MapTriangle* const> triangles, Draw&& draw) {
@@ -156,13 +198,46 @@ HWY_INLINE void for_each_triangle(std::span<const MapTriangle* const> triangles,
   }
 }
 
-// Calls visit(column, row, rows) for the blocks of a band that a triangle may cover texels of: row
-// of blocks in the band, and what is covered of it.
-// \param y  of the band's first row
-// \return texels covered
+// for_each_block of a triangle whose extent is kMostExtent at most and that does not reach beyond
+// the map on the right or below.
+template <typename Visit>
+HWY_INLINE std::uint64_t for_each_block_of_small(const MapTriangle& triangle, int x_low, int x_high,
+                                                 int y_low, int y_high, int y, Visit&& visit) {
+  BlockSides sides(triangle);
+  std::uint64_t texels = 0;
+  const int first_row = y / kBlockEdge;
+  const int begin = std::max(first_row, (y_low >> 8) / kBlockEdge);
+  const int end =
+      std::min(first_row + TriangleRows::kRows / kBlockEdge - 1, (y_high >> 8) / kBlockEdge);
+  for (int row = begin; row <= end; ++row) {
+    for (int column = std::max(0, x_low >> 8) / kBlockEdge; column <= (x_high >> 8) / kBlockEdge;
+         ++column) {
+      sides.place(column, row);
+      std::size_t covered = 0;
+      for (int lane = 0; lane < kBlock; lane += kLanes) {
+        covered += hn::CountTrue(kTag, sides.covered(0, lane));
+      }
+      if (covered == 0) continue;
+      texels += covered;
+      visit(column, row - first_row, sides);
+    }
+  }
+  return texels;
+}
+
+// Calls visit(column, row, texels) for the blocks of a band that a triangle may cover texels of:
+// row of blocks in the band, and what is covered there: texels.covered(x, lane). \param y  of the
+// band's first row \return texels covered
 template <typename Visit>
 HWY_INLINE std::uint64_t for_each_block(const MapTriangle& triangle, int size, int y,
                                         Visit&& visit) {
+  const auto& [a, b, c] = triangle.corners;
+  const auto [x_low, x_high] = std::minmax({a.x, b.x, c.x});
+  const auto [y_low, y_high] = std::minmax({a.y, b.y, c.y});
+  if (std::max(x_high - x_low, y_high - y_low) <= BlockSides::kMostExtent &&
+      std::max(x_high, y_high) < 256 * size) {
+    return for_each_block_of_small(triangle, x_low, x_high, y_low, y_high, y, visit);
+  }
   TriangleRows rows;
   rows.cover(triangle, size, y);
   float texels = 0.0F;
