@@ -1,13 +1,13 @@
 // Compiled once for every instruction set (Highway); all give the same bits.
 #include "functional/methods/d_buffer_band.h"
 
-#include <cstring>
 #include <glm/geometric.hpp>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "functional/methods/d_buffer_band.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 // After it:
+#include "functional/methods/d_buffer_finish_simd.h"
 #include "functional/raster/map_blocks_simd.h"
 #include "hwy/highway.h"
 
@@ -50,7 +50,6 @@ class Drawer {
         options_(drawing.options),
         band_(band),
         y_begin_(band * DBufferBand::kRows),
-        y_end_(std::min(map.width, y_begin_ + DBufferBand::kRows)),
         rows_(rows),
         map_(map),
         count_(count),
@@ -104,26 +103,7 @@ class Drawer {
     merge([&](float* texels) HWY_ATTR { take_penumbra(texels); });
   }
 
-  // Turns keys into inverse distances.
-  void finish() {
-    const MapRays rays(map_.view);
-    for (int y = y_begin_; y < y_end_; y += kBlockEdge) {
-      for (int x = 0; x < map_.width; x += kBlockEdge) {
-        float* words = rows_.block(x / kBlockEdge, (y - y_begin_) / kBlockEdge);
-        HWY_ALIGN float texels[4 * kBlock];
-        HWY_ALIGN float edges[kBlock];
-        for (int lane = 0; lane < kBlock; lane += kLanes) {
-          finish_lanes(words + lane, inverse_lengths(rays, x, y, lane), texels + 4 * lane,
-                       edges + lane);
-        }
-        put(texels, edges, x, y);
-      }
-    }
-  }
-
  private:
-  using Plane = DBufferBand::Plane;
-
   // Texels that a triangle covers where `on`.
   struct Texels {
     float* words;
@@ -138,11 +118,6 @@ class Drawer {
     return static_cast<float>(std::min(slope, kMostSlope * texel_ * face.inverse_low) +
                               texel_ * face.inverse_low);
   }
-
-  static HWY_INLINE float* word(float* texels, Plane plane) {
-    return texels + DBufferBand::word(plane);
-  }
-  static HWY_INLINE V value(float* texels, Plane plane) { return load(word(texels, plane)); }
 
   template <typename Change>
   HWY_INLINE void draw(const MapTriangle& triangle, Change&& change) {
@@ -257,44 +232,13 @@ class Drawer {
     count_.writes += count_of(taken);
   }
 
-  HWY_INLINE V inverse_lengths(const MapRays& rays, int x, int y, int lane) const {
-    if (interpolated_) return set(1.0F);
-    V square = hn::Zero(kTag);
-    for (int axis = 0; axis < 3; ++axis) {
-      const BlockPlane along({rays.dx()[axis], rays.dy()[axis], rays.at(0.0, 0.0)[axis]}, x, y);
-      square = hn::Add(square, hn::Mul(along.at(lane), along.at(lane)));
-    }
-    return hn::Div(set(1.0F), hn::Sqrt(square));
-  }
-  HWY_INLINE void finish_lanes(float* words, V scale, float* texels, float* edges) const {
-    const auto scaled = [&](Plane plane) HWY_ATTR { return hn::Mul(scale, value(words, plane)); };
-    const V umbra = value(words, Plane::umbra);
-    hn::StoreInterleaved4(
-        scaled(Plane::occluder),
-        hn::IfThenElse(hn::Lt(umbra, hn::Zero(kTag)), umbra, scaled(Plane::umbra)),
-        scaled(Plane::penumbra), scaled(Plane::umbra_edge), kTag, texels);
-    store(scaled(Plane::penumbra_edge), edges);
-  }
-  // Puts a block into the map.
-  void put(const float* texels, const float* edges, int x, int y) {
-    const auto some = static_cast<std::size_t>(std::min(kBlockEdge, map_.width - x));
-    for (int line = 0; line < std::min(kBlockEdge, y_end_ - y); ++line) {
-      const std::size_t at =
-          static_cast<std::size_t>(y + line) * static_cast<std::size_t>(map_.width) +
-          static_cast<std::size_t>(x);
-      std::memcpy(&map_.texels[at], texels + 4 * kBlockEdge * line, some * sizeof(DBuffer::Texel));
-      if (!map_.penumbra_edge) continue;
-      std::memcpy(&map_.penumbra_edge[at], edges + kBlockEdge * line, some * sizeof(float));
-    }
-  }
-
   bool nearest_caster() const { return options_.crossing == Crossing::nearest; }
 
   void forget_touched() { touched_.fill({map_.width, 0}); }
 
   const DBufferDrawing& drawing_;
   const DBufferOptions& options_;
-  int band_, y_begin_, y_end_;
+  int band_, y_begin_;
   DBufferBand& rows_;
   DBuffer& map_;
   DBuffer::Count& count_;
@@ -315,7 +259,8 @@ void draw_band(const DBufferDrawing& drawing, int band, DBufferBand& scratch, DB
   for (const DBufferCaster& caster : drawing.casters) drawer.draw_umbra(caster);
   // Only now is every surface known.
   for (const DBufferCaster& caster : drawing.casters) drawer.draw_penumbra(caster);
-  drawer.finish();
+  const bool interpolated = drawing.options.distances == Distances::interpolated;
+  finish_band(scratch, band * DBufferBand::kRows, interpolated, map);
 }
 
 }  // namespace
