@@ -241,20 +241,23 @@ std::vector<float> draw_distances(const LightView& view,
     const int y_begin = band * MapTriangles::kBandRows;
     const int y_end = std::min(view.width, y_begin + MapTriangles::kBandRows);
     for (const MapTriangle* triangle : drawn.band(band)) {
-      Spans spans(std::span(triangle->corners), view.width, y_begin, y_end);
-      for (PixelSpan span; spans.next(span);) {
-        float* texels = map.data() + static_cast<std::size_t>(span.y) * size;
-        for (int x = span.x_begin; x < span.x_end; ++x) {
-          const double w = 1.0 / std::clamp(triangle->inverse_w.at(x + 0.5, span.y + 0.5),
+      std::array<SnappedPoint, 3> outline;
+      for (std::size_t i = 0; i < 3; ++i) {
+        outline[i] = {triangle->corners[i].x, triangle->corners[i].y, 0.0};
+      }
+      for_each_span(outline, view.width, y_begin, y_end, [&](int y, int x_begin, int x_end) {
+        float* texels = map.data() + static_cast<std::size_t>(y) * size;
+        for (int x = x_begin; x < x_end; ++x) {
+          const double w = 1.0 / std::clamp(triangle->inverse_w.at(x + 0.5, y + 0.5),
                                             triangle->inverse_low, triangle->inverse_high);
           const double factor = distances == Distances::exact
-                                    ? rays.length(x + 0.5, span.y + 0.5)
-                                    : triangle->value_over_w.at(x + 0.5, span.y + 0.5);
+                                    ? rays.length(x + 0.5, y + 0.5)
+                                    : triangle->value_over_w.at(x + 0.5, y + 0.5);
           const auto distance = static_cast<float>(w * factor);
           texels[x] =
               keep == Keep::nearest ? std::min(texels[x], distance) : std::max(texels[x], distance);
         }
-      }
+      });
     }
   });
   std::replace(map.begin(), map.end(), none, empty);
