@@ -47,6 +47,15 @@ double MethodOptions::number(std::string_view key, double fallback, double low, 
   return value;
 }
 
+void MethodOptions::refuse_without_effect(std::initializer_list<std::string_view> keys,
+                                          const std::string& expected) const {
+  for (const std::string_view key : keys) {
+    const std::string* text = find(key);
+    if (text == nullptr) continue;
+    throw OptionError(place_, fmt::format("{} = '{}' has no effect", key, *text), expected);
+  }
+}
+
 void MethodOptions::check_all_known() const {
   for (const auto& [key, value] : values_) {
     if (asked_.contains(key)) continue;

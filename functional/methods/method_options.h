@@ -35,6 +35,11 @@ class MethodOptions {
   Value choice(std::string_view key,
                std::initializer_list<std::pair<std::string_view, Value>> choices) const;
 
+  /// For options that the others leave without effect: says with which others they have one.
+  /// \throws OptionError if one of the keys was given
+  void refuse_without_effect(std::initializer_list<std::string_view> keys,
+                             const std::string& expected) const;
+
   /// \throws OptionError if a key was given that no call above has asked for
   void check_all_known() const;
 

@@ -65,6 +65,7 @@ Visibility render(const MethodInput& input, const MethodOptions& options) {
                                                 {"grid", SamplePattern::grid},
                                                 {"border", SamplePattern::border}});
   const bool flat = options.choice<bool>("fill", {{"gouraud", false}, {"flat", true}});
+  if (count == 1) options.refuse_without_effect({"pattern", "fill"}, "samples=2…64 with it");
   options.check_all_known();
 
   Visibility result;

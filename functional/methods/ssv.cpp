@@ -35,6 +35,7 @@ SsvOptions read_ssv_options(const MethodOptions& options) {
       "filter", {{"nearest", TextureFilter::nearest}, {"quadlinear", TextureFilter::quadlinear}});
   read.words = options.choice<CoverageWords>(
       "words", {{"8bit", CoverageWords::bits8}, {"float", CoverageWords::float32}});
+  if (read.side == 0) options.refuse_without_effect({"filter", "words"}, "texture=8…64 with it");
   read.short_words = options.choice<bool>("vbuffer", {{"float", false}, {"8bit", true}});
   return read;
 }

@@ -84,6 +84,27 @@ TEST(RenderMethod, RefusesAnOptionThatTheMethodDoesNotKnow) {
             std::string::npos);
 }
 
+// Else a comparison would show the same method twice.
+TEST(RenderMethod, RefusesOptionsWithoutEffect) {
+  SceneOptions scene_options;
+  scene_options.size = {8, 8};
+  const Scene scene = load_scene("plain-columns", scene_options);
+  const auto rendering = [&](const char* choice) {
+    return error_of([&] { render_view(scene, choose_method("--method", choice)); });
+  };
+  EXPECT_NE(rendering("ssv:filter=nearest")
+                .find("filter = 'nearest' has no effect; expected texture=8…64 with it"),
+            std::string::npos);
+  for (const char* choice : {"ssv:words=float", "ssv:texture=none,filter=quadlinear",
+                             "silhouette-rings-1:pattern=grid", "silhouette-rings-1:fill=flat"}) {
+    EXPECT_NE(rendering(choice).find("has no effect"), std::string::npos) << choice;
+  }
+  for (const char* choice : {"ssv:texture=8,filter=quadlinear,words=float",
+                             "silhouette-rings-2:pattern=grid,fill=flat"}) {
+    EXPECT_EQ(rendering(choice), "") << choice;
+  }
+}
+
 // The line of a method's options, which help and errors show, against what the method asks for.
 TEST(RenderMethod, EveryMethodSaysItsOptions) {
   SceneOptions scene_options;
