@@ -87,6 +87,8 @@ Bounds bounds_of(std::span<const Object> objects) {
   return bounds;
 }
 
+bool EndPlane::is_before(const glm::dvec3& p) const { return dot(plane, p) > 0.0; }
+
 glm::dvec3 EndPlane::reach(const glm::dvec3& from, const glm::dvec3& through) const {
   const glm::dvec3 ray = through - from;
   return through + (dot(plane, through) / -glm::dot(glm::dvec3(plane), ray)) * ray;

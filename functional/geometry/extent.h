@@ -24,6 +24,8 @@ Bounds bounds_of(std::span<const Object> objects);
 /// every point that can receive a shadow.
 struct EndPlane {
   glm::dvec4 plane{0.0};
+  /// Whether a point is on the side of the volumes, off the plane.
+  bool is_before(const glm::dvec3& p) const;
   /// Where the ray from `from` through `through` meets the plane.
   glm::dvec3 reach(const glm::dvec3& from, const glm::dvec3& through) const;
 };

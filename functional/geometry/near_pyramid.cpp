@@ -31,10 +31,11 @@ NearPyramid::NearPyramid(const Window& window) {
   for (std::size_t i = 0; i < 4; ++i) corners_[i + 1] = window.near_rectangle[i];
   glm::dvec3 middle(0.0);
   for (const glm::dvec3& p : corners_) middle += 0.2 * p;
+  // The near plane first: most of a scene is behind it.
+  planes_[0] = plane_through(corners_[1], corners_[2], corners_[3], middle);
   for (std::size_t i = 0; i < 4; ++i) {
-    planes_[i] = plane_through(window.eye, corners_[i + 1], corners_[(i + 1) % 4 + 1], middle);
+    planes_[i + 1] = plane_through(window.eye, corners_[i + 1], corners_[(i + 1) % 4 + 1], middle);
   }
-  planes_[4] = plane_through(corners_[1], corners_[2], corners_[3], middle);
 }
 
 bool NearPyramid::may_meet(const WorldWedge& volume) const {
@@ -48,6 +49,9 @@ bool NearPyramid::may_meet(const WorldWedge& volume) const {
 }
 
 bool NearPyramid::meets(std::span<const glm::dvec3> polygon) const {
+  for (const glm::dvec4& plane : planes_) {
+    if (all_behind(plane, polygon)) return false;
+  }
   std::vector<glm::dvec3> left(polygon.begin(), polygon.end());
   for (const glm::dvec4& plane : planes_) {
     std::vector<glm::dvec3> kept;

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "functional/light/coverage.h"
 #include "functional/methods/light_intensity.h"
+#include "functional/methods/volumes.h"
 #include "functional/scene/origin.h"
 
 namespace wedgesim::functional {
@@ -97,8 +98,7 @@ void fill_frame(const Scene& scene, const FrameOptions& options, Frame& frame) {
   const fb::ZMethod method =
       options.z_method.value_or(header.z_fail_needed ? fb::ZMethod_fail : fb::ZMethod_pass);
   if (header.z_fail_needed && method == fb::ZMethod_pass) {
-    throw InputError(scene.place, "z-pass is wrong where a shadow volume meets the near pyramid",
-                     "z-fail or auto");
+    refuse_z_pass(scene.place);
   }
   header.expected_z_method = method;
   if (!options.expected_li) return;

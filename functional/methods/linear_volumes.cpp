@@ -11,7 +11,6 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "functional/geometry/linear_wedge.h"
-#include "functional/geometry/near_pyramid.h"
 #include "functional/geometry/round_corners.h"
 #include "functional/methods/screen_sides.h"
 
@@ -44,8 +43,8 @@ class Builder {
     for (auto& part : parts) std::move(part.begin(), part.end(), std::back_inserter(all));
     if (!choices_.umbra_polygons) return all;
     const bool needed = std::ranges::find(meets, 1) != meets.end() ||
-                        eye_in_umbra(caster, light_.centre, pyramid_.eye());
-    if (needed && choices_.z == ZChoice::pass) refuse_z_pass(*caster.mesh);
+                        ends_need_z_fail(caster, light_.centre, pyramid_);
+    if (needed && choices_.z == ZChoice::pass) refuse_z_pass(caster.mesh->name);
     const bool z_fail = choices_.z == ZChoice::fail || (choices_.z == ZChoice::automatic && needed);
     if (!z_fail) return all;
     add_caps(caster, all);

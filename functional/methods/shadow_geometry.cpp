@@ -5,12 +5,11 @@
 
 #include "base/error.h"
 #include "functional/geometry/linear_wedge.h"
-#include "functional/geometry/near_pyramid.h"
 #include "functional/geometry/screen_builder.h"
-#include "functional/geometry/segment.h"
 #include "functional/geometry/silhouette.h"
 #include "functional/light/clearance.h"
 #include "functional/light/coverage.h"
+#include "functional/methods/volumes.h"
 
 namespace wedgesim::functional {
 namespace {
@@ -41,16 +40,17 @@ class Builder {
     caster_ = static_cast<std::uint32_t>(trace_.header.casters.size());
     trace_.header.casters.push_back(
         {mesh.name, static_cast<std::uint32_t>(mesh.triangles.size()), false});
-    const Silhouette silhouette = find_silhouette(mesh, light_.centre);
+    ShadowCaster caster{&mesh, find_silhouette(mesh, light_.centre), {}};
+    const Silhouette& silhouette = caster.silhouette;
     if (silhouette.loops.empty()) return;
-    const EndPlane end_plane = choose_end_plane(mesh, silhouette, light_, bounds_, length_);
+    caster.end_plane = choose_end_plane(mesh, silhouette, light_, bounds_, length_);
     for (const auto& loop : silhouette.loops) {
       std::vector<glm::dvec3> corners;
       for (const SilhouetteEdge& edge : loop) corners.push_back(mesh.positions[edge.begin]);
       if (soft_ && kind_ == fb::WedgeKind_linear) {
-        add_linear_loop(corners, end_plane);
+        add_linear_loop(corners, caster.end_plane);
       } else {
-        add_loop(loop, corners, end_plane);
+        add_loop(loop, corners, caster.end_plane);
       }
     }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -60,7 +60,7 @@ class Builder {
       const auto& cap = geometry_.caps.back();
       add_umbra({cap.begin(), cap.end()}, glm::dvec4(0.0), traces::kNone, fb::UmbraRole_cap);
     }
-    if (eye_in_umbra(mesh, silhouette)) need_z_fail();
+    if (ends_need_z_fail(caster, light_.centre, pyramid_)) need_z_fail();
   }
 
   ShadowGeometry take() { return std::move(geometry_); }
@@ -144,19 +144,6 @@ class Builder {
     trace_.header.z_fail_needed = true;
   }
 
-  // The eye sees the light's centre through a light-facing triangle.
-  bool eye_in_umbra(const Mesh& mesh, const Silhouette& silhouette) const {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& c = mesh.triangles[t];
-      if (silhouette.light_facing[t] &&
-          segment_triangle(pyramid_.eye(), light_.centre, mesh.positions[c[0]],
-                           mesh.positions[c[1]], mesh.positions[c[2]])) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   std::uint32_t add_wedge(const WorldWedge& volume, const glm::dvec4& umbra_plane,
                           ShadowWedge shadow) {
     if (!volume.faces.empty() && pyramid_.may_meet(volume)) need_z_fail();
@@ -195,7 +182,7 @@ class Builder {
     const bool twisted = kind_ == fb::WedgeKind_linear || role == fb::UmbraRole_bottom;
     const std::uint32_t polygon =
         screen_.add_umbra_polygon(outline, reference, wedge, caster_, role, twisted);
-    if (pyramid_.meets(outline)) need_z_fail();
+    if (role != fb::UmbraRole_cap && pyramid_.meets(outline)) need_z_fail();
     for (std::size_t i = geometry_.umbra_planes.size(); i < trace_.umbra_polygons.size(); ++i) {
       const bool turned = trace_.umbra_polygons[i].plane() != reference;
       geometry_.umbra_planes.emplace_back(turned ? -plane : plane);

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -11,7 +12,6 @@
 #include "base/error.h"
 #include "functional/geometry/loop_groups.h"
 #include "functional/geometry/loose_wedge.h"
-#include "functional/geometry/near_pyramid.h"
 #include "functional/geometry/segment.h"
 #include "functional/geometry/wedge.h"
 #include "functional/light/clearance.h"
@@ -60,8 +60,8 @@ class Builder {
         set_group(parts[i], first, edges[begin].group);
       }
     });
-    const bool needed = meets || eye_in_umbra(caster, light_.centre, pyramid_.eye());
-    if (needed && z == ZChoice::pass) refuse_z_pass(*caster.mesh);
+    const bool needed = meets || ends_need_z_fail(caster, light_.centre, pyramid_);
+    if (needed && z == ZChoice::pass) refuse_z_pass(caster.mesh->name);
     const bool z_fail = z == ZChoice::fail || (z == ZChoice::automatic && needed);
     std::vector<ScreenSide> sides;
     for (std::vector<ScreenSide>& part : parts) {
@@ -195,16 +195,19 @@ class Builder {
 
 }  // namespace
 
-bool eye_in_umbra(const ShadowCaster& caster, const glm::dvec3& light_centre,
-                  const glm::dvec3& eye) {
+bool ends_need_z_fail(const ShadowCaster& caster, const glm::dvec3& light_centre,
+                      const NearPyramid& pyramid) {
+  // What is seen lies before the end plane, and so does all the way there from an eye before it.
+  if (!caster.end_plane.is_before(pyramid.eye())) return true;
   const Mesh& mesh = *caster.mesh;
   std::atomic<bool> found = false;
   for_each_chunk(mesh.triangles.size(), 4096, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (; begin < end && !found; ++begin) {
       if (caster.silhouette.light_facing[begin] == 0) continue;
-      const auto& c = mesh.triangles[begin];
-      if (segment_triangle(eye, light_centre, mesh.positions[c[0]], mesh.positions[c[1]],
-                           mesh.positions[c[2]])) {
+      const auto& corner = mesh.triangles[begin];
+      const std::array<glm::dvec3, 3> p{mesh.positions[corner[0]], mesh.positions[corner[1]],
+                                        mesh.positions[corner[2]]};
+      if (segment_triangle(pyramid.eye(), light_centre, p[0], p[1], p[2]) || pyramid.meets(p)) {
         found = true;
       }
     }
@@ -212,8 +215,10 @@ bool eye_in_umbra(const ShadowCaster& caster, const glm::dvec3& light_centre,
   return found;
 }
 
-void refuse_z_pass(const Mesh& mesh) {
-  throw InputError(mesh.name, "z-pass is wrong where a shadow volume meets the near pyramid",
+void refuse_z_pass(const std::string& place) {
+  throw InputError(place,
+                   "z-pass is wrong where a shadow volume meets the near pyramid or ends before "
+                   "the eye",
                    "z-fail or auto");
 }
 

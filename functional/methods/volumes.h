@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "functional/geometry/extent.h"
+#include "functional/geometry/near_pyramid.h"
 #include "functional/geometry/silhouette.h"
 #include "functional/raster/screen_volume.h"
 #include "functional/raster/window.h"
@@ -10,8 +12,7 @@
 
 namespace wedgesim::functional {
 
-/// How volumes count: z-pass but z-fail for casters whose volume the near pyramid meets, or one of
-/// them for all.
+/// How volumes count: z-pass but z-fail for casters that need it, or one of them for all.
 enum class ZChoice { automatic, pass, fail };
 
 struct VolumeChoices {
@@ -33,12 +34,14 @@ struct ShadowCaster {
 /// \throws InputError if the light touches a caster or its penumbra spans a half-space
 std::vector<ShadowCaster> find_casters(const Scene& scene, const Light& light);
 
-/// Whether the eye sees the light's centre through a light-facing triangle.
-bool eye_in_umbra(const ShadowCaster& caster, const glm::dvec3& light_centre,
-                  const glm::dvec3& eye);
+/// Whether z-pass is wrong for a caster even if the near pyramid meets none of its umbra polygons
+/// and wedges: the eye is in its umbra, or it looks in through what z-pass leaves open, a
+/// light-facing triangle in the near pyramid or the end of the volume.
+bool ends_need_z_fail(const ShadowCaster& caster, const glm::dvec3& light_centre,
+                      const NearPyramid& pyramid);
 
-/// \throws InputError always: z-pass is wrong for this caster
-[[noreturn]] void refuse_z_pass(const Mesh& mesh);
+/// \throws InputError always: z-pass is wrong here
+[[noreturn]] void refuse_z_pass(const std::string& place);
 
 /// Shadow volumes on the screen: the umbra polygons of all silhouette edges, each with the coverage
 /// wedge (wedge.h) of a light with extent; caps and bottoms where z-fail needs them.
