@@ -34,6 +34,7 @@ TEST_P(Float32Datapath, GivesTheSameWordsInEveryConfiguration) {
   }
   for (const WedgeKind kind : {WedgeKind::WedgeKind_coverage, WedgeKind::WedgeKind_linear}) {
     for (const LightShape light : {LightShape::rectangle, LightShape::sphere}) {
+      if (name == "fire" && light == LightShape::sphere) continue;  // textured
       const functional::Frame frame = frame_of(name, kind, light);
       std::vector<std::int64_t> words;
       EXPECT_EQ(check_words(frame, DatapathKind::float32, model::ZChoice::automatic, false, words),

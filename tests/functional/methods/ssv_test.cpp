@@ -72,6 +72,9 @@ class SsvScenes : public testing::TestWithParam<std::tuple<std::string, LightSha
         !std::filesystem::exists("/usr/share/glmark2/models/bunny.obj")) {
       GTEST_SKIP() << "the package glmark2-data is not installed";
     }
+    if (GetParam() == std::tuple("fire", LightShape::sphere)) {
+      GTEST_SKIP() << "its light's texture wants a rectangle";
+    }
   }
 };
 
