@@ -14,6 +14,8 @@
 namespace wedgesim::reports::accuracy {
 namespace {
 
+constexpr double kLeastSeconds = 0.2;  // of runs whose median is taken
+
 using functional::MethodChoice;
 using functional::MethodInput;
 using functional::Scene;
@@ -108,6 +110,18 @@ class SceneMeasurement {
     return seconds.count();
   }
 
+  // Seconds of every run, `repetitions` at least; short ones are repeated for kLeastSeconds.
+  std::vector<double> run_often(const MethodChoice& choice,
+                                std::vector<std::vector<functional::Stage>>& stages) const {
+    std::vector<double> seconds;
+    double all = 0.0;
+    const auto least = static_cast<std::size_t>(options_.repetitions);
+    while (seconds.size() < least || (least > 1 && all < kLeastSeconds)) {
+      all += seconds.emplace_back(run(choice, stages.emplace_back()));
+    }
+    return seconds;
+  }
+
   void fill_times(Measured& measured) const {
     Timing& timing = measured.timing;
     {
@@ -116,21 +130,13 @@ class SceneMeasurement {
       run(measured.choice, stages);
       timing.peak_bytes = memory.bytes();
     }
-    std::vector<double> seconds;
+    std::vector<std::vector<functional::Stage>> stages;
     {
       const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-      std::vector<functional::Stage> stages;
-      for (int i = 0; i < options_.repetitions; ++i) {
-        seconds.push_back(run(measured.choice, stages));
-      }
+      timing.one_thread = median_of(run_often(measured.choice, stages));
     }
-    timing.one_thread = median_of(seconds);
-    seconds.clear();
-    std::vector<std::vector<functional::Stage>> stages;
-    for (int i = 0; i < options_.repetitions; ++i) {
-      seconds.push_back(run(measured.choice, stages.emplace_back()));
-    }
-    timing.all_threads = median_of(seconds);
+    stages.clear();
+    timing.all_threads = median_of(run_often(measured.choice, stages));
     for (std::size_t k = 0; k < stages.front().size(); ++k) {
       std::vector<double> times;
       for (const auto& run : stages) times.push_back(run[k].seconds);

@@ -47,7 +47,7 @@ struct SceneResult {
 struct MeasureOptions {
   std::vector<functional::MethodChoice> choices;  // empty: what each method has `compared`
   int rays = 4096;                                // of the reference, where it matters
-  int repetitions = 5;                            // of each run time
+  int repetitions = 5;                            // of each run time at least; 1: once
 };
 
 /// Measures every choice on a scene: one run for its values, then `repetitions` on one thread and
