@@ -135,7 +135,8 @@ std::vector<float> reference_visibility(const Scene& scene, const Window& window
                                         const DepthBuffer& depth, int samples, std::uint64_t seed,
                                         std::span<const std::uint8_t> wanted) {
   CHECK_GE(samples, 1);
-  const Device device(rtcNewDevice("threads=1"));
+  // No number of threads: it would hold for all of the process.
+  const Device device(rtcNewDevice(nullptr));
   WEDGESIM_CHECK(device != nullptr);
   const CasterScene casters = build_casters(device.get(), scene);
   const Cells cells(scene.light, samples);
