@@ -61,8 +61,9 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
     choices.push_back(functional::choose_method("--method", text));
   }
   std::vector<Job> jobs;
-  for (const std::string& scene : arguments.scenes)
+  for (const std::string& scene : arguments.scenes) {
     jobs.push_back({.name = scene, .choices = choices});
+  }
   if (arguments.published) {
     for (const accuracy::View& view : accuracy::built_in_views()) {
       if (view.published) jobs.push_back({.name = view.name, .choices = choices});

@@ -9,8 +9,8 @@ namespace wedgesim::functional {
 namespace {
 
 constexpr double kReach = 1e-3;  // of the shorter edge
-constexpr double kStep =
-    M_PI / 12.0;  // one more edge for each step below a right angle, from the first on
+// One more edge for each step below a right angle, from the first on.
+constexpr double kStep = M_PI / 12.0;
 constexpr int kMostEdges = 6;
 
 // Between two vectors as they are seen along a third; 0 if one of them is not seen.

@@ -11,22 +11,13 @@
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 // After it:
 #include "functional/methods/light_places_simd.h"
-#include "hwy/highway.h"
+#include "functional/raster/lanes_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace wedgesim::functional {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<float, 16>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr D kTag;
-constexpr std::size_t kLanes = hn::MaxLanes(kTag);
-
-HWY_INLINE V set(float value) { return hn::Set(kTag, value); }
 HWY_INLINE V load(const float* from) { return hn::LoadU(kTag, from); }
 HWY_INLINE V between_0_and_1(V t) { return hn::Min(hn::Max(t, hn::Zero(kTag)), set(1.0F)); }
 

@@ -34,25 +34,17 @@ struct Row {
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 // After it:
 #include "functional/methods/light_places_simd.h"
-#include "hwy/highway.h"
+#include "functional/raster/lanes_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace wedgesim::functional {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<float, 16>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
 using Whole = hn::RebindToSigned<D>;
 using W = hn::Vec<Whole>;
-constexpr D kTag;
 constexpr Whole kWhole;
-constexpr std::size_t kLanes = hn::MaxLanes(kTag);
 
-HWY_INLINE V set(float value) { return hn::Set(kTag, value); }
 HWY_INLINE V load(const float* from) { return hn::LoadU(kTag, from); }
 
 // The least and the greatest 1/z of the tiles that the texels of a lookup lie in.

@@ -13,24 +13,14 @@
 #include <bit>
 #include <cstring>
 
+#include "functional/raster/lanes_simd.h"
 #include "functional/raster/volume_raster.h"
 #include "functional/raster/volume_rows.h"
-#include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace wedgesim::functional {
 namespace HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<float, 16>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr D kTag;
-constexpr std::size_t kLanes = hn::MaxLanes(kTag);
-
-HWY_INLINE V set(float value) { return hn::Set(kTag, value); }
 
 HWY_INLINE M mask_of(std::uint64_t bits) {
   std::array<std::uint8_t, 8> bytes;

@@ -126,7 +126,7 @@ class Cells {
   std::array<double, 3> whole_{};
 };
 
-// How far rays start from a caster, in distances of its points: a few roundings of float.
+// How far rays start from a caster, in distances of what is seen: a few roundings of float.
 constexpr double kOffSurface = 0x1p-20;
 
 }  // namespace
@@ -141,7 +141,7 @@ std::vector<float> reference_visibility(const Scene& scene, const Window& window
   const CasterScene casters = build_casters(device.get(), scene);
   const Cells cells(scene.light, samples);
   std::vector<float> visibility(depth.words.size() * cells.channels(), 1.0F);
-  const double scene_size = glm::length(scene.camera.eye - scene.light.centre);
+  const double eye_to_light = glm::length(scene.camera.eye - scene.light.centre);
 
   tbb::parallel_for(0, window.height, [&](int y) {
     for (int x = 0; x < window.width; ++x) {
@@ -163,7 +163,7 @@ std::vector<float> reference_visibility(const Scene& scene, const Window& window
       if (object.casts) {
         // On the triangle, whatever the stored depth rounds, and off it by more than rays round.
         p -= glm::dot(p - a, normal) * normal;
-        origin = p + kOffSurface * (glm::length(p) + scene_size) * normal;
+        origin = p + kOffSurface * (glm::length(p) + eye_to_light) * normal;
       }
       const Aperture light = aperture_from(scene.light, p);
 
