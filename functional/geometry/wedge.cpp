@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "functional/geometry/exact_cross.h"
 #include "functional/geometry/hull.h"
+#include "functional/raster/exact_cross.h"
 #include "functional/scene/across.h"
 
 namespace wedgesim::functional {
@@ -106,9 +106,10 @@ std::vector<SphereNormal> sphere_normals(const Light& light, const Edge& edge) {
     cosine[i] = std::min(1.0, light.radius / distance[i]);
     sine[i] = std::sqrt(1.0 - cosine[i] * cosine[i]);
   }
-  // From the edge itself: between the ends of a short one little is left of two large vectors.
   const glm::dvec3 along = edge[1] - edge[0];
-  const glm::dvec3 w = glm::cross(a[0], along) / (distance[0] * distance[1]);
+  // Between the ends of a short edge, or of a long one in a line with the centre, little is left.
+  const glm::dvec3 w =
+      exact_cross({edge[0], light.centre}, {edge[1], light.centre}) / (distance[0] * distance[1]);
   const double sin_between = glm::length(w);
   const double cos_between = glm::dot(axis[0], axis[1]);
   const double farther = glm::dot(along, a[0] + a[1]) / (distance[0] + distance[1]);  // end 1, by
@@ -199,7 +200,7 @@ void drop_surplus_sides(std::vector<OutlineRay>& rays) {
 
 glm::dvec4 quad_plane(const glm::dvec3& light_centre, const glm::dvec3& begin,
                       const glm::dvec3& end) {
-  const glm::dvec3 normal = exact_cross(light_centre, end, begin);
+  const glm::dvec3 normal = exact_cross({end, light_centre}, {begin, light_centre});
   return {normal, -glm::dot(normal, light_centre)};
 }
 

@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "base/error.h"
+#include "functional/raster/exact_cross.h"
 
 namespace wedgesim::functional {
 
@@ -16,7 +17,7 @@ Window make_window(const Camera& camera, int width, int height) {
     throw InputError("camera", "near and far planes are out of order", "0 < near < far");
   }
   const glm::dvec3 view = camera.target - camera.eye;
-  const glm::dvec3 side = glm::cross(view, camera.up);
+  const glm::dvec3 side = exact_cross({camera.target, camera.eye}, Difference(camera.up));
   if (!(glm::length(view) > 0.0 && glm::length(side) > 1e-9 * glm::length(view))) {
     throw InputError("camera", "the view direction is zero or along up",
                      "another eye, target or up");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "reports/stress/exact_plane.h"
+#include "reports/stress/light_rounding.h"
 #include "traces/depth.h"
 
 namespace wedgesim::reports::stress {
@@ -64,7 +65,7 @@ class Walk {
     const std::vector<std::int64_t> before = result_.sums;
     add_polygon(primitive);
     if (primitive.wedge) add_wedge(primitive);
-    Evaluation::Part part{number, {}, is_uncertain(primitive)};
+    Evaluation::Part part{number, {}, is_uncertain(primitive), rounding_of(primitive)};
     for (std::size_t i = 0; i < before.size(); ++i) {
       const std::int64_t change = result_.sums[i] - before[i];
       if (change != 0) part.shares.push_back({i, static_cast<double>(change) / datapath_.one()});
@@ -152,6 +153,17 @@ class Walk {
       return linear && std::any_of(primitive.planes.begin(), primitive.planes.end(),
                                    [&](const model::Plane& plane) { return may_err(plane, p); });
     });
+  }
+
+  double rounding_of(const Primitive& wedge) const {
+    if (datapath_.kind != model::DatapathKind::exact || !wedge.wedge || !wedge.coverage) return 0.0;
+    double worst = 0.0;
+    for (const Pixel& p : pixels_) {
+      if (!covers(wedge, p.x, p.y) || p.z < wedge.z.min || p.z > wedge.z.max) continue;
+      worst = std::max(worst, light_rounding(trace_, trace_.wedges[*wedge.wedge], p.centre_x(),
+                                             p.centre_y(), p.window_z));
+    }
+    return worst;
   }
 
   // Whether a plane's value at a pixel is within what rounding in double precision explains: of its

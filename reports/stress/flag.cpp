@@ -56,6 +56,9 @@ std::vector<Flagged> flag(const traces::TraceView& trace, const model::Datapath&
     const Evaluation::Part& part = evaluation.parts[i];
     if (part.uncertain) {
       reasons.emplace(part.number, "a plane of it passes a pixel by less than its rounding");
+    } else if (part.rounding > 0.25 * datapath.tolerance()) {
+      reasons.emplace(part.number,
+                      "rounding may move its edge in the light by a quarter of the bar");
     } else if (differ(part, exact.parts[i])) {
       reasons.emplace(part.number, "it differs visibly from double precision at a pixel");
     }

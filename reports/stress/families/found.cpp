@@ -13,7 +13,7 @@ namespace {
 
 // What random_search_test.cpp found and made simple, each once wrong for the reason above it. Their
 // order never changes: a frame is called by its place.
-constexpr std::array<std::string_view, 21> kFound{
+constexpr std::array<std::string_view, 23> kFound{
     // The eye in a wedge much wider than the view: the wedge's interval of depth ended at its
     // faces.
     "light_size=4 floor_tilt_x=3 view=-6 first.size=-6",
@@ -47,10 +47,15 @@ constexpr std::array<std::string_view, 21> kFound{
     "light_roll=3 eye_x=-8 eye_z=2 first.shape=5 first.pyramid=1 first.x=3 first.turn=7 "
     "first.x0=-5 "
     "first.move=3 first.move_a=1 first.move_by=42",
+    // A view all but along up: rays were off by 2^-34.
+    "turn=1 grid=3 eye_place=5 first.shape=4 first.depth=-23",
+    // An edge 2^28 times as long as its way from a sphere, in one line with its centre: no number.
+    "light=1 light_size=-26 first.shape=2 first.thick=-35 first.z=8 first.turn=1 first.move=5 "
+    "first.move_a=1 first.move_by=56",
 };
 
 // What can only be flagged; each was once wrong without.
-constexpr std::array<std::string_view, 5> kFlagged{
+constexpr std::array<std::string_view, 11> kFlagged{
     // A caster 2^-19 as large as the light, two of its corners 2^-18 of that apart.
     "light=1 first.size=-19 first.turn=4 first.z0=2 first.x1=5 first.then=5 first.then_by=18",
     // The eye in a quad's plane, pixel centres on the line that it is seen as.
@@ -61,6 +66,19 @@ constexpr std::array<std::string_view, 5> kFlagged{
     "format=3 light=1 light_size=-22 near=20 close_up=1 first.z=7",
     // The eye in the planes of two quads that have no polygon, and a whole diagonal of the picture.
     "turn=3 eye_place=5 view=-6 up=2 first.z1=-8",
+    // Lights 2^-21 to 2^-24 as wide as they are long: the point in light space is mostly rounding.
+    "light_size=-21 light_flat=21 light_roll=1 floor_tilt_x=1 eye_y=1 close_up=1 first.depth=30 "
+    "first.thick=2 first.z=-8",
+    "light_flat=23 close_up=1 first.shape=4 first.move=5 first.move_by=58",
+    "format=1 light_flat=24 light_tilt_z=-1 eye_y=8 eye_z=3 target_x=-3 close_up=1 first.shape=1 "
+    "first.depth=18",
+    // Edges 2^28 times as long as their way from the light: the part before it is a difference.
+    "light=1 eye_place=2 eye_z=1 first.shape=1 first.size=-10 first.x=5 first.move=5 "
+    "first.move_a=2 first.move_by=56",
+    "light_size=-2 eye_y=-4 eye_z=-8 target_z=-2 close_up=1 first.depth=9 first.thick=-18 "
+    "first.z1=6 first.z3=2 first.then=5 first.then_a=1 first.then_by=50",
+    "format=1 grid=4 floor_tilt_x=6 eye_place=1 eye_x=2 eye_y=1 target_z=4 close_up=1 "
+    "first.depth=16 first.size=-2 first.z=6 first.move=5 first.move_a=6 first.move_by=42",
 };
 
 Case case_at(std::span<const std::string_view> cases, double index) {

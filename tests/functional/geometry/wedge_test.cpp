@@ -201,6 +201,25 @@ TEST(Wedge, QuadPlaneFacesTheShadow) {
   EXPECT_NEAR(value({1, 0, -1}), 0.0, 1e-12);
 }
 
+// An edge in one line with the centre of a small sphere, one end 2^28 times as far: nothing is left
+// of the difference of its ends.
+TEST(Wedge, LongEdgesTowardsTheLightReachTheirEnd) {
+  Random random(205);
+  Light light;
+  light.shape = LightShape::sphere;
+  light.radius = 0x1p-28;
+  const EndPlane end_plane{{0.0, 1.0, 0.0, 0x1.1p28}};
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec3 near_end(random.uniform(-1.0, 1.0), -1.0, random.uniform(-1.0, 1.0));
+    const WorldWedge wedge = coverage_wedge(light, 0x1p28 * near_end, near_end, end_plane);
+    ASSERT_FALSE(wedge.vertices.empty()) << "case " << i;
+    for (const glm::dvec3& vertex : wedge.vertices) {
+      // A light that small widens the edge by less than its own length.
+      ASSERT_LT(glm::distance(vertex, -vertex.y * near_end), 0x1p20) << "case " << i;
+    }
+  }
+}
+
 TEST(Wedge, NoLightNoEdgeNoWedge) {
   EdgeCase edge;
   edge.light.centre = {0.0, 10.0, 0.0};

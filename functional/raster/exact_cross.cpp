@@ -1,19 +1,10 @@
-#include "functional/geometry/exact_cross.h"
+#include "functional/raster/exact_cross.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
 namespace wedgesim::functional {
 namespace {
-
-// A difference of doubles, exactly: high is rounded, low what was lost.
-struct Difference {
-  glm::dvec3 high, low;
-  Difference(const glm::dvec3& a, const glm::dvec3& b) : high(a - b) {
-    const glm::dvec3 of_b = a - high;
-    low = (a - (high + of_b)) + (of_b - b);
-  }
-};
 
 // The larger first: both orders give the same digits.
 double difference_of_products(double a, double b, double c, double d) {
@@ -25,9 +16,7 @@ double difference_of_products(double a, double b, double c, double d) {
 
 }  // namespace
 
-glm::dvec3 exact_cross(const glm::dvec3& origin, const glm::dvec3& a, const glm::dvec3& b) {
-  const Difference p(a, origin);
-  const Difference q(b, origin);
+glm::dvec3 exact_cross(const Difference& p, const Difference& q) {
   const glm::dvec3 high(difference_of_products(p.high.y, q.high.z, p.high.z, q.high.y),
                         difference_of_products(p.high.z, q.high.x, p.high.x, q.high.z),
                         difference_of_products(p.high.x, q.high.y, p.high.y, q.high.x));

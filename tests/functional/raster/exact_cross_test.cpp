@@ -1,4 +1,4 @@
-#include "functional/geometry/exact_cross.h"
+#include "functional/raster/exact_cross.h"
 
 #include <gtest/gtest.h>
 
@@ -24,14 +24,14 @@ TEST(ExactCross, KeepsItsDigitsWhereWaysAreNearlyParallel) {
     const RealVector p = RealVector(a) - from;
     const RealVector q = RealVector(b) - from;
     const RealVector exact = cross(p, q);
-    const glm::dvec3 own = exact_cross(origin, a, b);
+    const glm::dvec3 own = exact_cross({a, origin}, {b, origin});
     const double products = magnitude(p) * magnitude(q);
     const glm::dvec3 right = to_double(exact);
     for (int k = 0; k < 3; ++k) {
       ASSERT_NEAR(own[k], right[k], 0x1p-50 * std::abs(right[k]) + 0x1p-100 * products)
           << "case " << i;
     }
-    ASSERT_EQ(exact_cross(origin, b, a), -own) << "case " << i;
+    ASSERT_EQ(exact_cross({b, origin}, {a, origin}), -own) << "case " << i;
   }
 }
 

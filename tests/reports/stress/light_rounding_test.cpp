@@ -1,0 +1,69 @@
+#include "reports/stress/light_rounding.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "functional/reference/judge.h"
+#include "reports/stress/case_name.h"
+#include "reports/stress/evaluate.h"
+#include "reports/stress/frame.h"
+#include "traces/depth.h"
+
+namespace wedgesim::reports::stress {
+namespace {
+
+// The largest bound of a frame's wedges.
+double worst_bound(const std::string& name) {
+  const functional::Frame frame = frame_of(parse_case("name", name).make());
+  const Evaluation exact = evaluate(frame.trace.view(), method_of(frame), {});
+  double worst = 0.0;
+  for (const Evaluation::Part& part : exact.parts) worst = std::max(worst, part.rounding);
+  return worst;
+}
+
+// Harmless frames are far from any doubt, whatever the light.
+TEST(LightRounding, IsNextToNothingInHarmlessFrames) {
+  for (const char* name :
+       {"grazing-edge,0,0.1", "grazing-edge,1,0.1", "offset,0,1", "offset,1,1"}) {
+    const double bound = worst_bound(name);
+    EXPECT_GT(bound, 1e-16) << name;
+    EXPECT_LT(bound, 1e-10) << name;
+  }
+}
+
+// It is a bound: nowhere is the sum of what double gives farther from the judge's.
+TEST(LightRounding, BoundsTheError) {
+  int far_off = 0;
+  for (int i = 5; i <= 10; ++i) {
+    const std::string name = "found-flagged,0," + std::to_string(i);
+    const Case made = parse_case("name", name).make();
+    const functional::Frame frame = frame_of(made);
+    const traces::TraceView trace = frame.trace.view();
+    const Evaluation exact = evaluate(trace, method_of(frame), {});
+    std::vector<std::size_t> pixels(trace.depth.size());
+    std::iota(pixels.begin(), pixels.end(), 0);
+    const auto judged = functional::judge_light_intensity(made.scene, frame, pixels);
+    for (const std::size_t pixel : pixels) {
+      const double error = std::fabs(
+          static_cast<double>(exact.sums[pixel]) / model::Datapath().one() - judged[pixel]);
+      double bound = 1e-6;  // a word's rounding
+      for (const traces::fb::Wedge& wedge : trace.wedges) {
+        const auto width = static_cast<std::size_t>(trace.header.width);
+        bound +=
+            light_rounding(trace, wedge, static_cast<double>(pixel % width) + 0.5,
+                           static_cast<double>(pixel / width) + 0.5,
+                           traces::decode_depth(trace.header.depth_format, trace.depth[pixel]));
+      }
+      EXPECT_LE(error, bound) << name << " at pixel " << pixel;
+      far_off += error > 1e-6 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(far_off, 0);
+}
+
+}  // namespace
+}  // namespace wedgesim::reports::stress
