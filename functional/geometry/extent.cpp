@@ -10,7 +10,6 @@
 namespace wedgesim::functional {
 namespace {
 
-constexpr double kMargin = 2e-3;        // of the diagonal, beyond the last receiver
 constexpr double kGrazingSine = 0.05;   // a side of the bounds this edge-on is not chosen
 constexpr double kSmallestSine = 1e-3;  // a ray this parallel to the plane never ends
 
@@ -103,27 +102,30 @@ std::vector<glm::dvec3> light_corners(const Light& light) {
 EndPlane choose_end_plane(const Mesh& caster, const Silhouette& silhouette, const Light& light,
                           const Bounds& bounds, std::optional<double> length) {
   const glm::dvec3 to_caster = glm::normalize(mean_position(caster) - light.centre);
-  const double beyond = kMargin * bounds.diagonal();
+  const double beyond = kEndMargin * bounds.diagonal();
   const glm::dvec3 across = light.shape == LightShape::rectangle
                                 ? glm::normalize(glm::cross(light.half_u, light.half_v))
                                 : to_caster;
-  glm::dvec4 best(0.0);
+  EndPlane best;
   double best_way = std::numeric_limits<double>::infinity();
-  const auto consider = [&](const glm::dvec4& plane, double smallest_sine) {
+  const auto consider = [&](EndSide side, const glm::dvec4& plane, double smallest_sine) {
     const double way = longest_way(plane, caster, silhouette, light, smallest_sine);
     if (way < best_way) {
       best_way = way;
-      best = plane;
+      best = {plane, side};
     }
   };
   if (length) {
-    consider(plane_behind(to_caster, caster.positions, *length), kSmallestSine);
+    consider(EndSide::fixed_length, plane_behind(to_caster, caster.positions, *length),
+             kSmallestSine);
   } else {
     for (int axis = 0; axis < 3; ++axis) {
       glm::dvec3 direction(0.0);
       direction[axis] = 1.0;
-      consider({direction, -bounds.low[axis] + beyond}, kGrazingSine);
-      consider({-direction, bounds.high[axis] + beyond}, kGrazingSine);
+      const auto low = static_cast<EndSide>(2 * axis);
+      const auto high = static_cast<EndSide>(2 * axis + 1);
+      consider(low, {direction, -bounds.low[axis] + beyond}, kGrazingSine);
+      consider(high, {-direction, bounds.high[axis] + beyond}, kGrazingSine);
     }
   }
   if (std::isinf(best_way) && length) {
@@ -132,16 +134,18 @@ EndPlane choose_end_plane(const Mesh& caster, const Silhouette& silhouette, cons
                      "automatic length");
   }
   if (std::isinf(best_way)) {
-    consider(plane_behind(across, corners_of(bounds), beyond), kSmallestSine);
+    consider(EndSide::across_light, plane_behind(across, corners_of(bounds), beyond),
+             kSmallestSine);
   }
   if (std::isinf(best_way)) {
-    consider(plane_behind(to_caster, corners_of(bounds), beyond), kSmallestSine);
+    consider(EndSide::across_way, plane_behind(to_caster, corners_of(bounds), beyond),
+             kSmallestSine);
   }
   if (std::isinf(best_way)) {
     throw InputError(caster.name, "the light touches, surrounds or is too close to this caster",
                      "a penumbra that spans less than a half-space");
   }
-  return {best};
+  return best;
 }
 
 }  // namespace wedgesim::functional

@@ -20,10 +20,29 @@ struct Bounds {
 };
 Bounds bounds_of(std::span<const Object> objects);
 
+/// Where an end plane lies: beyond the lower or upper side of the bounds, across the light's plane
+/// or the way from the light to the middle of the caster's vertices; or the latter at a fixed
+/// length.
+enum class EndSide {
+  low_x,
+  high_x,
+  low_y,
+  high_y,
+  low_z,
+  high_z,
+  across_light,
+  across_way,
+  fixed_length
+};
+
+/// How far beyond the last receiver volumes end, of the diagonal of the receivers' bounds.
+inline constexpr double kEndMargin = 2e-3;
+
 /// Where the shadow and penumbra volumes of one caster end: a plane (n, d) with n·p + d ≥ 0 for
 /// every point that can receive a shadow.
 struct EndPlane {
   glm::dvec4 plane{0.0};
+  EndSide side = EndSide::low_x;
   /// Whether a point is on the side of the volumes, off the plane.
   bool is_before(const glm::dvec3& p) const;
   /// Where the ray from `from` through `through` meets the plane.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "functional/geometry/polyhedron.h"
 #include "functional/scene/across.h"
@@ -22,30 +23,32 @@ constexpr double kLeastReach = 0.01;
 constexpr double kLidRadius = 4.0;
 
 struct EdgePlanes {
-  glm::dvec3 normal;          // of the shadow quad, unit, into the shadow
-  glm::dvec3 light_at_front;  // the point of the light its front plane touches
+  glm::dvec3 normal;                     // of the shadow quad, unit, into the shadow
+  std::array<std::size_t, 2> touched{};  // of light_corners, by front and back plane
+  glm::dvec3 light_at_front;             // the point of the light its front plane touches
   glm::dvec3 light_at_back;
   glm::dvec4 front, back;  // unit normals, into the wedge
 };
 
-// The point of a light farthest along a direction, on the plane through the edge.
-glm::dvec3 extreme_point(const Light& light, const glm::dvec3& edge_begin,
-                         const glm::dvec3& edge_end, const glm::dvec3& normal, double sign) {
-  if (light.shape != LightShape::rectangle) return light.centre + sign * light.radius * normal;
-  // The corner whose plane through the edge leaves the others on one side: the best of the four.
-  glm::dvec3 best(0.0);
+// The corner of a rectangle whose plane through the edge leaves the others on one side: the best of
+// the four.
+std::size_t touched_corner(const Light& light, const glm::dvec3& edge_begin,
+                           const glm::dvec3& edge_end, double sign) {
+  const std::vector<glm::dvec3> corners = light_corners(light);
+  std::size_t best = 0;
   double best_beyond = 1e300;
-  for (const glm::dvec3& corner : light_corners(light)) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3& corner = corners[i];
     const glm::dvec3 n = sign * glm::cross(edge_end - corner, edge_begin - corner);
     const double length = glm::length(n);
     if (length == 0.0) continue;
     double beyond = -1e300;
-    for (const glm::dvec3& other : light_corners(light)) {
+    for (const glm::dvec3& other : corners) {
       beyond = std::max(beyond, glm::dot(n / length, other - corner));
     }
     if (beyond < best_beyond) {
       best_beyond = beyond;
-      best = corner;
+      best = i;
     }
   }
   return best;
@@ -54,8 +57,16 @@ glm::dvec3 extreme_point(const Light& light, const glm::dvec3& edge_begin,
 EdgePlanes edge_planes(const Light& light, const glm::dvec3& begin, const glm::dvec3& end) {
   EdgePlanes planes;
   planes.normal = glm::normalize(glm::dvec3(quad_plane(light.centre, begin, end)));
-  planes.light_at_front = extreme_point(light, begin, end, planes.normal, 1.0);
-  planes.light_at_back = extreme_point(light, begin, end, planes.normal, -1.0);
+  if (light.shape == LightShape::rectangle) {
+    planes.touched = {touched_corner(light, begin, end, 1.0),
+                      touched_corner(light, begin, end, -1.0)};
+    const std::vector<glm::dvec3> corners = light_corners(light);
+    planes.light_at_front = corners[planes.touched[0]];
+    planes.light_at_back = corners[planes.touched[1]];
+  } else {
+    planes.light_at_front = light.centre + light.radius * planes.normal;
+    planes.light_at_back = light.centre - light.radius * planes.normal;
+  }
   const glm::dvec4 front = quad_plane(planes.light_at_front, begin, end);
   const glm::dvec4 back = -quad_plane(planes.light_at_back, begin, end);
   planes.front = front / glm::length(glm::dvec3(front));
@@ -91,15 +102,17 @@ bool points_at_light(const Light& light, const glm::dvec3& begin, const glm::dve
 // One corner of the loop: the directions in which the front and back planes of its two edges meet,
 // and the side plane through both, with the edge that ends here on its positive side.
 struct Corner {
+  LinearCorner decided;
   glm::dvec3 front, back;
   glm::dvec4 side;
   glm::dvec3 direction;  // in the side plane, across the penumbra (Paper I, 4.1)
 };
 
 // The direction of the line in which two planes meet, or the ray `instead`, which does reach the
-// end plane, where that line hardly does or hardly leads away from the light.
+// end plane, where that line hardly does or hardly leads away from the light (`by_ray`).
 glm::dvec3 meeting(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec3& away,
-                   const EndPlane& end_plane, const glm::dvec3& instead) {
+                   const EndPlane& end_plane, const glm::dvec3& instead, bool& by_ray) {
+  by_ray = true;
   const glm::dvec3 ray = glm::normalize(instead);
   glm::dvec3 direction = glm::cross(glm::dvec3(a), glm::dvec3(b));
   const double length = glm::length(direction);
@@ -109,6 +122,7 @@ glm::dvec3 meeting(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec3& a
   const glm::dvec3 down = -glm::dvec3(end_plane.plane);
   const bool leads = glm::dot(direction, away) >= kLeastForward &&
                      glm::dot(direction, down) >= kLeastReach * glm::dot(ray, down);
+  by_ray = !leads;
   return leads ? direction : ray;
 }
 
@@ -118,25 +132,33 @@ Corner corner_between(const EdgePlanes& ending, const EdgePlanes& starting, cons
   Corner corner;
   const glm::dvec3 away = glm::normalize(at - light_centre);
   corner.front = meeting(ending.front, starting.front, away, end_plane,
-                         at - 0.5 * (ending.light_at_front + starting.light_at_front));
-  corner.back = meeting(ending.back, starting.back, away, end_plane,
-                        at - 0.5 * (ending.light_at_back + starting.light_at_back));
+                         at - 0.5 * (ending.light_at_front + starting.light_at_front),
+                         corner.decided.by_ray[0]);
+  corner.back =
+      meeting(ending.back, starting.back, away, end_plane,
+              at - 0.5 * (ending.light_at_back + starting.light_at_back), corner.decided.by_ray[1]);
   glm::dvec3 normal = glm::cross(corner.front, corner.back);
   if (glm::length(normal) < 1e-9) {
-    normal = glm::cross(away, ending.normal + starting.normal);
+    corner.decided.side = SideNormal::of_quads;
+    // This way round: seen from a sharp corner its edges are nearly in this plane, their side
+    // mostly rounding.
+    normal = glm::cross(ending.normal + starting.normal, away);
   }
   if (glm::length(normal) < 1e-9) {  // the loop turns back along the edge
+    corner.decided.side = SideNormal::along_edge;
     normal = ending_begin - at;
     normal -= glm::dot(normal, away) * away;
   }
   normal = glm::normalize(normal);
-  if (glm::dot(normal, ending_begin - at) < 0.0) normal = -normal;
+  const bool by_lines = corner.decided.side == SideNormal::of_lines;
+  if (by_lines && glm::dot(normal, ending_begin - at) < 0.0) normal = -normal;
   corner.side = glm::dvec4(normal, -glm::dot(normal, at));
   const glm::dvec3 across = ending.normal + starting.normal;
   corner.direction = across - glm::dot(across, normal) * normal;
   const double length = glm::length(corner.direction);
-  corner.direction =
-      length > 1e-9 ? corner.direction / length : glm::normalize(glm::cross(normal, away));
+  corner.decided.across_way = !(length > 1e-9);
+  corner.direction = corner.decided.across_way ? glm::normalize(glm::cross(normal, away))
+                                               : corner.direction / length;
   return corner;
 }
 
@@ -174,13 +196,17 @@ double reciprocal(const glm::dvec4& plane, const glm::dvec3& direction) {
 
 std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec3> loop,
                                        const EndPlane& end_plane, const Bounds& bounds) {
+  std::vector<std::size_t> places(loop.size());
+  std::iota(places.begin(), places.end(), 0U);
   for (std::size_t i = 0; loop.size() >= 3 && i < loop.size();) {
     const std::size_t next = (i + 1) % loop.size();
     if (points_at_light(light, loop[i], loop[next])) {
       // Keep the end nearer to the light: its shadow is the larger.
       const bool keep_first =
           glm::distance(loop[i], light.centre) <= glm::distance(loop[next], light.centre);
-      loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(keep_first ? next : i));
+      const auto left_out = static_cast<std::ptrdiff_t>(keep_first ? next : i);
+      loop.erase(loop.begin() + left_out);
+      places.erase(places.begin() + left_out);
       i = 0;
     } else {
       ++i;
@@ -210,11 +236,14 @@ std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec
     LinearWedge wedge;
     wedge.begin = loop[i];
     wedge.end = loop[next];
+    wedge.corner = left.decided;
+    wedge.corner.place = places[i];
+    wedge.corner.touched = planes[i].touched;
     // The side plane at `begin` has the edge that ends there on its positive side: not this one.
     const std::array<glm::dvec4, 8> sides{planes[i].front, planes[i].back, -left.side, right.side,
                                           end_plane.plane, lid[0],         lid[1],     lid[2]};
     wedge.volume = intersect_half_spaces(sides, box);
-    drop_unused(wedge.volume, 5);
+    drop_unused(wedge.volume, kLinearPlanes);
     wedge.umbra = {wedge.end, wedge.begin, end_plane.reach(loop[i] - left.front, loop[i]),
                    end_plane.reach(loop[next] - right.front, loop[next])};
     const glm::dvec3 along = glm::normalize(wedge.end - wedge.begin);

@@ -9,11 +9,32 @@
 
 namespace wedgesim::functional {
 
+/// Which normal a side plane has: of the lines, or rays, in which the front and the back planes of
+/// two edges meet; where these are one, of the light's way and the middle of the quads' normals;
+/// where a loop turns back along its edge, along that edge and across the light's way.
+enum class SideNormal { of_lines, of_quads, along_edge };
+
+/// What is decided by comparing at the corner where an edge begins. Geometry follows from it.
+struct LinearCorner {
+  std::size_t place = 0;  // in the loop as given
+  /// The edge's front and back plane each touch this one of light_corners; 0 of a sphere.
+  std::array<std::size_t, 2> touched{};
+  /// Front planes, and back planes, meet too far aside: a ray of the penumbra is in their place.
+  std::array<bool, 2> by_ray{};
+  SideNormal side = SideNormal::of_lines;
+  /// The middle of the quads' normals has no direction in the side plane: that across the light's
+  /// way is in its place.
+  bool across_way = false;
+};
+
+inline constexpr std::size_t kLinearPlanes = 5;
+
 /// A wedge of Papers I and II: planes 0 front, 1 back, 2 left (at the edge's begin), 3 right, 4
 /// bottom, then up to three that end it where its sides diverge; the umbra polygon is its front
 /// face.
 struct LinearWedge {
   glm::dvec3 begin, end;
+  LinearCorner corner;  // at `begin`
   WorldWedge volume;
   /// The outline of the umbra polygon, counter-clockwise seen from outside the shadow; corners
   /// are shared with the neighbours bit for bit.

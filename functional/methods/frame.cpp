@@ -90,9 +90,11 @@ void fill_frame(const Scene& scene, const FrameOptions& options, Frame& frame) {
   const glm::dmat3 light_axes(light_from_world(scene.light));
   header.lights.front().light_from_window =
       to_fb(from_window(window, light_axes, light_axes * (window.eye - scene.light.centre)));
-  frame.geometry =
-      build_shadow_geometry(scene, window, options.kind, options.length,
-                            receivers_of(scene, window, frame.depth, options), frame.trace);
+  frame.receivers = receivers_of(scene, window, frame.depth, options);
+  frame.length = options.length;
+  frame.depth_given = options.depth != nullptr;
+  frame.geometry = build_shadow_geometry(scene, window, options.kind, options.length,
+                                         frame.receivers, frame.trace);
   frame.trace.depth = frame.depth.words;
 
   const fb::ZMethod method =

@@ -24,8 +24,11 @@ struct FrameOptions {
 struct Frame {
   Window window;
   DepthBuffer depth;
-  glm::dvec3 origin{0.0};   // world position that geometry is taken from (origin.h)
-  ShadowGeometry geometry;  // world axes, about `origin`
+  glm::dvec3 origin{0.0};        // world position that geometry is taken from (origin.h)
+  Bounds receivers;              // of all that receives, about `origin`
+  bool depth_given = false;      // by another renderer
+  std::optional<double> length;  // FrameOptions::length
+  ShadowGeometry geometry;       // world axes, about `origin`
   traces::Trace trace;
 };
 

@@ -32,6 +32,7 @@ class Builder {
         bounds_(receivers),
         soft_(has_extent(scene.light)) {
     geometry_.kind = kind;
+    geometry_.end_sides.resize(scene.objects.size());
   }
 
   void add_caster(const Mesh& mesh, std::uint32_t object) {
@@ -44,11 +45,12 @@ class Builder {
     const Silhouette& silhouette = caster.silhouette;
     if (silhouette.loops.empty()) return;
     caster.end_plane = choose_end_plane(mesh, silhouette, light_, bounds_, length_);
+    geometry_.end_sides[object] = caster.end_plane.side;
     for (const auto& loop : silhouette.loops) {
       std::vector<glm::dvec3> corners;
       for (const SilhouetteEdge& edge : loop) corners.push_back(mesh.positions[edge.begin]);
       if (soft_ && kind_ == fb::WedgeKind_linear) {
-        add_linear_loop(corners, caster.end_plane);
+        add_linear_loop(loop, corners, caster.end_plane);
       } else {
         add_loop(loop, corners, caster.end_plane);
       }
@@ -58,7 +60,7 @@ class Builder {
       const auto& c = mesh.triangles[t];
       geometry_.caps.push_back({mesh.positions[c[0]], mesh.positions[c[1]], mesh.positions[c[2]]});
       const auto& cap = geometry_.caps.back();
-      add_umbra({cap.begin(), cap.end()}, glm::dvec4(0.0), traces::kNone, fb::UmbraRole_cap);
+      add_umbra({cap.begin(), cap.end()}, glm::dvec4(0.0), traces::kNone, fb::UmbraRole_cap, {});
     }
     if (ends_need_z_fail(caster, light_.centre, pyramid_)) need_z_fail();
   }
@@ -84,28 +86,47 @@ class Builder {
             add_wedge(coverage_wedge(light_, shadow.begin, shadow.end, end_plane), quad, shadow);
       }
       const std::uint32_t umbra = add_umbra({shadow.umbra.begin(), shadow.umbra.end()}, quad, wedge,
-                                            fb::UmbraRole_side, shadow.source);
+                                            fb::UmbraRole_side, {UmbraPlane::quad, shadow.source});
       if (soft_ && wedge == traces::kNone) {
         geometry_.bare_edges.push_back(
-            {shadow.source, SidedPlane(quad), SidedPlane(end_plane.plane), umbra});
+            {shadow.source, SidedPlane(quad), {SidedPlane(end_plane.plane)}, umbra});
       }
     }
     add_bottoms(far, end_plane);
   }
 
-  void add_linear_loop(const std::vector<glm::dvec3>& corners, const EndPlane& end_plane) {
+  void add_linear_loop(const std::vector<SilhouetteEdge>& loop,
+                       const std::vector<glm::dvec3>& corners, const EndPlane& end_plane) {
     Bounds bounds = bounds_;
     bounds.grow(light_.centre);
     std::vector<glm::dvec3> far;
-    for (const LinearWedge& linear : linear_wedges(light_, corners, end_plane, bounds)) {
+    const std::vector<LinearWedge> wedges = linear_wedges(light_, corners, end_plane, bounds);
+    LinearLoop kept{object_, {}, {}};
+    for (const LinearWedge& linear : wedges) {
+      kept.vertices.push_back(loop[linear.corner.place].begin);
+      kept.corners.push_back(linear.corner);
+    }
+    const auto loop_index = static_cast<std::uint32_t>(geometry_.linear_loops.size());
+    geometry_.linear_loops.push_back(kept);
+    for (std::uint32_t i = 0; i < wedges.size(); ++i) {
+      const LinearWedge& linear = wedges[i];
       ShadowWedge shadow;
+      shadow.source = {object_, kept.vertices[i], kept.vertices[(i + 1) % wedges.size()],
+                       loop_index, i};
       shadow.begin = linear.begin;
       shadow.end = linear.end;
       shadow.factors = linear.factors;
       shadow.umbra = linear.umbra;
       const glm::dvec4 front = linear.volume.planes[0];
       const std::uint32_t wedge = add_wedge(linear.volume, front, shadow);
-      add_linear_umbra(linear.umbra, front, wedge);
+      const std::uint32_t umbra = add_linear_umbra(linear.umbra, front, wedge, shadow.source);
+      if (wedge == traces::kNone) {
+        BareEdge bare{shadow.source, SidedPlane(front), {}, umbra};
+        for (std::size_t k = 0; k < kLinearPlanes; ++k) {
+          bare.planes.emplace_back(linear.volume.planes[k]);
+        }
+        geometry_.bare_edges.push_back(std::move(bare));
+      }
       far.push_back(linear.umbra[2]);
     }
     add_bottoms(far, end_plane);
@@ -113,21 +134,26 @@ class Builder {
 
   // The front face of a linear wedge; where its rays had to leave the front plane it is two
   // triangles in planes of their own.
-  void add_linear_umbra(const std::array<glm::dvec3, 4>& outline, const glm::dvec4& front,
-                        std::uint32_t wedge) {
+  std::uint32_t add_linear_umbra(const std::array<glm::dvec3, 4>& outline, const glm::dvec4& front,
+                                 std::uint32_t wedge, const EdgeSource& source) {
     const auto off_plane = [&](const glm::dvec3& p) {
       return std::abs(glm::dot(glm::dvec3(front), p) + front.w);
     };
     const double tolerance = 1e-9 * glm::distance(outline[0], outline[2]);
     if (off_plane(outline[2]) <= tolerance && off_plane(outline[3]) <= tolerance) {
-      add_umbra({outline.begin(), outline.end()}, front, wedge, fb::UmbraRole_side);
-      return;
+      return add_umbra({outline.begin(), outline.end()}, front, wedge, fb::UmbraRole_side,
+                       {UmbraPlane::front, source});
     }
+    std::uint32_t first = traces::kNone;
     for (const std::size_t i : {1U, 2U}) {
       const glm::dvec3 outward = glm::cross(outline[i] - outline[0], outline[i + 1] - outline[0]);
-      add_umbra({outline[0], outline[i], outline[i + 1]}, {-outward, glm::dot(outward, outline[0])},
-                i == 1 ? wedge : traces::kNone, fb::UmbraRole_side);
+      const std::uint32_t umbra = add_umbra(
+          {outline[0], outline[i], outline[i + 1]}, {-outward, glm::dot(outward, outline[0])},
+          i == 1 ? wedge : traces::kNone, fb::UmbraRole_side,
+          {i == 1 ? UmbraPlane::near_half : UmbraPlane::far_half, source});
+      if (i == 1) first = umbra;
     }
+    return first;
   }
 
   // The end of a volume: a fan over the far corners of its loop, all in the end plane. A triangle
@@ -135,7 +161,8 @@ class Builder {
   // plane then turns with it.
   void add_bottoms(const std::vector<glm::dvec3>& far, const EndPlane& end_plane) {
     for (std::size_t i = 1; i + 1 < far.size(); ++i) {
-      add_umbra({far[0], far[i + 1], far[i]}, end_plane.plane, traces::kNone, fb::UmbraRole_bottom);
+      add_umbra({far[0], far[i + 1], far[i]}, end_plane.plane, traces::kNone, fb::UmbraRole_bottom,
+                {UmbraPlane::end, {object_}});
     }
   }
 
@@ -177,7 +204,7 @@ class Builder {
   }
 
   std::uint32_t add_umbra(const std::vector<glm::dvec3>& outline, const glm::dvec4& plane,
-                          std::uint32_t wedge, fb::UmbraRole role, const EdgeSource& edge = {}) {
+                          std::uint32_t wedge, fb::UmbraRole role, UmbraSource source) {
     const std::uint32_t reference = role == fb::UmbraRole_cap ? 0 : screen_.plane_reference(plane);
     const bool twisted = kind_ == fb::WedgeKind_linear || role == fb::UmbraRole_bottom;
     const std::uint32_t polygon =
@@ -186,8 +213,8 @@ class Builder {
     for (std::size_t i = geometry_.umbra_planes.size(); i < trace_.umbra_polygons.size(); ++i) {
       const bool turned = trace_.umbra_polygons[i].plane() != reference;
       geometry_.umbra_planes.emplace_back(turned ? -plane : plane);
-      geometry_.umbra_edges.push_back(turned ? EdgeSource{edge.object, edge.end, edge.begin}
-                                             : edge);
+      source.turned = turned;
+      geometry_.umbra_sources.push_back(source);
     }
     if (wedge != traces::kNone && polygon != traces::kNone) {
       trace_.wedges[wedge].mutate_umbra(polygon);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "functional/geometry/extent.h"
+#include "functional/geometry/linear_wedge.h"
 #include "functional/geometry/wedge.h"
 #include "functional/raster/window.h"
 #include "functional/scene/scene.h"
@@ -29,6 +30,7 @@ struct SidedPlane {
 struct EdgeSource {
   std::uint32_t object = traces::kNone;
   std::uint32_t begin = 0, end = 0;
+  std::uint32_t loop = 0, place = 0;  // linear: of ShadowGeometry::linear_loops, and its corners
   bool exists() const { return object != traces::kNone; }
 };
 
@@ -37,7 +39,7 @@ struct ShadowWedge {
   std::vector<SidedPlane> planes;   // those that decide, at most kMaxPlanes
   SidedPlane umbra_plane;           // of its umbra polygon, into the shadow
   glm::dvec3 begin{0.0}, end{0.0};  // the silhouette edge, world space
-  EdgeSource source;                // coverage
+  EdgeSource source;
   glm::dvec3 light_begin{0.0}, light_end{0.0};
   std::array<double, 6> factors{};    // linear
   std::array<glm::dvec3, 4> umbra{};  // the outline of its umbra polygon, world space
@@ -47,8 +49,29 @@ struct ShadowWedge {
 struct BareEdge {
   EdgeSource source;
   SidedPlane umbra_plane;               // as a wedge's
-  SidedPlane end_plane;                 // inside: before the end of the volumes
+  std::vector<SidedPlane> planes;       // linear: the wedge's five; coverage: its end plane alone
   std::uint32_t umbra = traces::kNone;  // its umbra polygon in the trace
+};
+
+/// What the plane of an umbra polygon goes through: nothing (a cap); the light's centre and an
+/// edge; an edge and the point of the light that a linear wedge's front plane touches; where that
+/// face is bent, its edge and the far corner at the edge's begin, or the edge's end and both far
+/// corners; or the end plane.
+enum class UmbraPlane { none, quad, front, near_half, far_half, end };
+
+/// What an umbra polygon is made from.
+struct UmbraSource {
+  UmbraPlane plane = UmbraPlane::none;
+  EdgeSource edge;      // of an end plane the object alone
+  bool turned = false;  // the plane's inside is the other one
+};
+
+/// A silhouette loop of a `linear` frame: the vertices that edges are kept between, in order, and
+/// what was decided there.
+struct LinearLoop {
+  std::uint32_t object = 0;  // of the scene
+  std::vector<std::uint32_t> vertices;
+  std::vector<LinearCorner> corners;
 };
 
 /// All shadow volumes of a frame: wedges[i] is the i-th wedge of the trace, umbra_planes[i] belongs
@@ -57,10 +80,10 @@ struct ShadowGeometry {
   traces::fb::WedgeKind kind = traces::fb::WedgeKind_coverage;
   std::vector<ShadowWedge> wedges;
   std::vector<SidedPlane> umbra_planes;
-  /// Of each umbra polygon in the plane through the light's centre and a silhouette edge: that
-  /// edge, directed so that its quad_plane turns inward as the polygon's does; of others, none.
-  std::vector<EdgeSource> umbra_edges;
-  std::vector<BareEdge> bare_edges;  // coverage
+  std::vector<UmbraSource> umbra_sources;  // of each umbra polygon
+  std::vector<BareEdge> bare_edges;
+  std::vector<LinearLoop> linear_loops;
+  std::vector<EndSide> end_sides;  // of each object of the scene; only of casters with a silhouette
   /// The light-facing triangles of all casters, world space.
   std::vector<std::array<glm::dvec3, 3>> caps;
   std::size_t degenerate_wedges = 0;  // edges whose wedge holds nothing

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/check.h"
 #include "functional/methods/light_intensity.h"
 #include "functional/raster/spans.h"
 #include "functional/reference/judge_coverage.h"
+#include "functional/reference/judge_linear.h"
 #include "functional/reference/judge_plane.h"
 #include "functional/reference/judge_view.h"
 
@@ -24,12 +26,10 @@ constexpr std::size_t kBlock = 32;
 struct Point {
   double z = 0.0;         // as the trace compares it with z_min and z_max
   JudgedPlace in_centre;  // relative to the light's centre
-  JudgedPlace in_frame;   // relative to the origin of the frame's own planes
   RealVector in_light;
 };
 
 struct Umbra {
-  bool in_centre = false;  // whether `plane` is of a quad, by the light's centre
   JudgedPlane plane;
   fb::UmbraRole role = fb::UmbraRole_side;
   bool eye_facing = false;
@@ -39,7 +39,7 @@ struct Umbra {
   bool inner(const Point& p) const {
     if (p.z < z_min) return !eye_facing;
     if (p.z > z_max) return eye_facing;
-    return plane.inside(in_centre ? p.in_centre : p.in_frame);
+    return plane.inside(p.in_centre);
   }
   int share(fb::ZMethod method, const Point& p) const {
     const int fail_sign = eye_facing ? 1 : -1;
@@ -50,14 +50,14 @@ struct Umbra {
   }
 };
 
+// Of kind coverage.
 struct Wedge {
-  std::vector<JudgedPlane> planes;  // coverage: the end plane alone
-  std::array<double, 6> factors{};  // linear
-  JudgedPlane quad;                 // coverage
-  RealVector begin, end;            // coverage, light space
+  JudgedPlane before_end;
+  JudgedPlane quad;
+  RealVector begin, end;  // light space
   std::uint32_t umbra = traces::kNone;
 };
-// The edge of a wedge in light space, apart from it: of many wedges most are asked for no more.
+// Its edge in light space, apart from it: of many wedges most are asked for no more.
 struct RoundedEdge {
   glm::dvec3 begin, end;
 };
@@ -72,10 +72,15 @@ class Judge {
         view_(scene.camera, frame.window.width, frame.window.height),
         light_(scene.light),
         eye_from_centre_(view_.eye() - RealVector(scene.light.centre)),
-        eye_from_origin_(view_.eye() - RealVector(frame.origin)),
         umbras_at_(pixels.size()) {
-    CHECK_EQ(frame.geometry.umbra_edges.size(), frame.trace.umbra_polygons.size());
+    CHECK_EQ(frame.geometry.umbra_sources.size(), frame.trace.umbra_polygons.size());
     CHECK_EQ(frame.geometry.wedges.size(), frame.trace.wedges.size());
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      ends_.push_back(scene.objects[i].casts ? judged_end(scene, frame, i) : RealPlane());
+    }
+    for (const LinearLoop& loop : frame.geometry.linear_loops) {
+      loops_.emplace_back(scene, loop, ends_[loop.object]);
+    }
     for (std::size_t i = 0; i < frame.trace.umbra_polygons.size(); ++i) add_umbra(i);
     find_covered();
     for (std::size_t i = 0; i < frame.trace.wedges.size(); ++i) add_wedge(i);
@@ -101,13 +106,34 @@ class Judge {
     return {from_centre(edge, edge.begin), from_centre(edge, edge.end), minus};
   }
 
+  JudgedPlane end_of(std::uint32_t object, bool minus, bool turned = false) const {
+    const RealPlane& end = ends_[object];
+    return {turned ? Real(-1) * end.inward : end.inward, end.through, minus, 1.0};
+  }
+
+  JudgedPlane umbra_plane(const UmbraSource& source, bool minus) const {
+    EdgeSource edge = source.edge;
+    switch (source.plane) {
+      case UmbraPlane::none:
+        return {};
+      case UmbraPlane::quad:
+        if (source.turned) std::swap(edge.begin, edge.end);
+        return quad_of(edge, minus);
+      case UmbraPlane::end:
+        return end_of(edge.object, minus, source.turned);
+      case UmbraPlane::front:
+      case UmbraPlane::near_half:
+      case UmbraPlane::far_half:
+        break;
+    }
+    return loops_[edge.loop].umbra_plane(source, minus);
+  }
+
   void add_umbra(std::size_t i) {
     const fb::UmbraPolygon& polygon = frame_.trace.umbra_polygons[i];
-    const EdgeSource& edge = frame_.geometry.umbra_edges[i];
     Umbra umbra;
-    umbra.in_centre = edge.exists();
-    umbra.plane = edge.exists() ? quad_of(edge, frame_.geometry.umbra_planes[i].minus)
-                                : JudgedPlane(frame_.geometry.umbra_planes[i]);
+    umbra.plane =
+        umbra_plane(frame_.geometry.umbra_sources[i], frame_.geometry.umbra_planes[i].minus);
     umbra.role = polygon.role();
     umbra.z_min = polygon.z_min();
     umbra.z_max = polygon.z_max();
@@ -142,20 +168,16 @@ class Judge {
 
   void add_wedge(std::size_t i) {
     const ShadowWedge& shadow = frame_.geometry.wedges[i];
-    const fb::Wedge& record = frame_.trace.wedges[i];
-    if (frame_.geometry.kind != fb::WedgeKind_linear) {
-      add_edge({shadow.source, shadow.umbra_plane, shadow.planes.back(), record.umbra()});
+    add_edge({shadow.source, shadow.umbra_plane, shadow.planes, frame_.trace.wedges[i].umbra()});
+  }
+  void add_edge(const BareEdge& bare) {
+    if (frame_.geometry.kind == fb::WedgeKind_linear) {
+      linear_wedges_.push_back(loops_[bare.source.loop].wedge(bare.source.place, bare.planes));
       return;
     }
     Wedge wedge;
-    for (const SidedPlane& plane : shadow.planes) wedge.planes.emplace_back(plane);
-    wedge.factors = shadow.factors;
-    wedges_.push_back(std::move(wedge));
-  }
-  void add_edge(const BareEdge& bare) {
-    Wedge wedge;
     wedge.umbra = bare.umbra;
-    wedge.planes.emplace_back(bare.end_plane);
+    wedge.before_end = end_of(bare.source.object, bare.planes.back().minus);
     wedge.quad = quad_of(bare.source, bare.umbra_plane.minus);
     wedge.begin = light_(from_centre(bare.source, bare.source.begin));
     wedge.end = light_(from_centre(bare.source, bare.source.end));
@@ -172,7 +194,6 @@ class Judge {
     Point point;
     point.z = traces::decode_depth(format, word);
     point.in_centre = {centre, magnitude(eye_from_centre_) + reach};
-    point.in_frame = {eye_from_origin_ + from_eye, magnitude(eye_from_origin_) + reach};
     point.in_light = light_(centre);
     return point;
   }
@@ -193,12 +214,12 @@ class Judge {
         sums.back().li += umbras_[u].share(method_, point);
       }
     }
-    const bool linear = frame_.geometry.kind == fb::WedgeKind_linear;
+    for (const JudgedWedge& wedge : linear_wedges_) {
+      for (Sum& sum : sums) sum.li += wedge.share(sum.point.in_centre);
+    }
     for (std::size_t w = 0; w < wedges_.size(); ++w) {
       for (Sum& sum : sums) {
-        if (linear) {
-          sum.li += linear_share(wedges_[w], sum.point);
-        } else if (sum.filter.may_cover(edges_[w].begin, edges_[w].end)) {
+        if (sum.filter.may_cover(edges_[w].begin, edges_[w].end)) {
           sum.li += coverage_share(wedges_[w], sum.point, *sum.covering);
         }
       }
@@ -208,7 +229,7 @@ class Judge {
 
   Real coverage_share(const Wedge& wedge, const Point& point,
                       const std::vector<std::uint32_t>& covering) const {
-    if (!wedge.planes.front().inside(point.in_frame)) return 0;
+    if (!wedge.before_end.inside(point.in_centre)) return 0;
     const Real covered =
         judged_coverage(scene_.light.shape, point.in_light, wedge.begin, wedge.end);
     if (covered == 0) return 0;
@@ -219,35 +240,19 @@ class Judge {
     return inner ? covered : Real(-covered);
   }
 
-  // Paper I, Eqs. 2 and 3.
-  Real linear_share(const Wedge& wedge, const Point& point) const {
-    const JudgedPlace& p = point.in_frame;
-    for (const JudgedPlane& plane : wedge.planes) {
-      if (!plane.inside(p)) return 0;
-    }
-    const auto distance = [&](std::size_t plane, std::size_t factor) {
-      return Real(abs(wedge.planes[plane].value(p)) * wedge.factors[factor]);
-    };
-    const auto ratio = [](const Real& a, const Real& b) {
-      const Real sum = a + b;
-      return sum > 0 ? Real(a / sum) : Real(0.5);
-    };
-    const Real s_left = ratio(distance(1, 1), distance(0, 0));
-    const Real s_right = ratio(distance(1, 3), distance(0, 2));
-    const Real share = ratio(distance(3, 5), distance(2, 4));
-    return share * s_left + (1 - share) * s_right;
-  }
-
   const Scene& scene_;
   const Frame& frame_;
   std::span<const std::size_t> pixels_;
   fb::ZMethod method_;
   JudgedView view_;
   JudgedLight light_;
-  RealVector eye_from_centre_, eye_from_origin_;
+  RealVector eye_from_centre_;
+  std::vector<RealPlane> ends_;  // of each object
+  std::vector<JudgedLoop> loops_;
   std::vector<Umbra> umbras_;
   std::vector<Wedge> wedges_;
-  std::vector<RoundedEdge> edges_;                     // coverage: of each of wedges_
+  std::vector<RoundedEdge> edges_;  // of each of wedges_
+  std::vector<JudgedWedge> linear_wedges_;
   std::vector<std::vector<std::uint32_t>> umbras_at_;  // each of pixels_: in order
 };
 

@@ -10,14 +10,14 @@ namespace wedgesim::functional {
 
 /// The light intensity of pixels of a frame as docs/trace.md defines it, in 200-bit arithmetic. The
 /// trace gives what is decided once for all: the snapped umbra polygons, their z_min and z_max, the
-/// stored depths, the signs of plane references, the method (expected_z_method). Everything else
-/// comes from the scene as it was given: the camera makes the point of a stored depth; the plane of
-/// an umbra polygon goes through the light's centre and a silhouette edge.
+/// stored depths, the signs of plane references, the method (expected_z_method); the frame's
+/// geometry gives which edges and vertices things are made from, and what was decided by comparing
+/// (LinearCorner, EndSide, UmbraSource). Everything else comes from the scene as it was given: the
+/// camera makes the point of a stored depth, the light and the vertices make planes.
 ///
-/// Penumbra of kind coverage: what an edge hides of the light is computed at every pixel before the
-/// end plane, without the wedge's planes and polygons; a wedge that is too tight or lost shows as
-/// an error. Of kind linear: the wedge's planes and factors are data, evaluated exactly. End planes
-/// are data for both.
+/// Penumbra is computed at every pixel before the end plane without the wedge's polygons; a wedge
+/// that is too tight or lost shows as an error. Of kind coverage: what an edge hides of the light.
+/// Of kind linear: Paper I, section 4, by judge_linear.h.
 ///
 /// A value on a plane is one that is less than 2^-175 of its terms. Degenerate edges: see
 /// judge_coverage.h; no input gives a NaN. An edge that hides some of the light from a pixel costs

@@ -20,18 +20,20 @@ JudgedPlane::JudgedPlane(const RealVector& begin, const RealVector& end, bool mi
   rounded_normal_ = to_double(normal_);
 }
 
-JudgedPlane::JudgedPlane(const SidedPlane& plane)
-    : rounded_normal_(plane.plane),
-      rounded_offset_(plane.plane.w),
-      minus_(plane.minus),
-      normal_(glm::dvec3(plane.plane)),
-      offset_(plane.plane.w) {
-  normal_terms_ = magnitude(normal_);
+JudgedPlane::JudgedPlane(const RealVector& inward, const RealVector& through, bool minus,
+                         double terms)
+    : minus_(minus),
+      normal_terms_(terms),
+      offset_terms_(terms * magnitude(through)),
+      normal_(minus ? Real(-1) * inward : inward) {
+  offset_ = -dot(normal_, through);
+  rounded_normal_ = to_double(normal_);
+  rounded_offset_ = offset_.convert_to<double>();
 }
 
 Real JudgedPlane::value(const JudgedPlace& place) const {
   const Real value = dot(normal_, place.exact) + offset_;
-  const double terms = normal_terms_ * place.terms + std::abs(rounded_offset_);
+  const double terms = normal_terms_ * place.terms + offset_terms_;
   return abs(value) <= kRealTie * terms ? Real(0) : value;
 }
 

@@ -57,7 +57,7 @@ void PartFrame::add_polygon(std::uint32_t polygon, std::uint32_t wedge) {
   frame_.trace.umbra_polygons.emplace_back(p.first_index(), p.index_count(), p.plane(), wedge,
                                            p.caster(), p.role(), p.z_min(), p.z_max());
   frame_.geometry.umbra_planes.push_back(whole_.geometry.umbra_planes[polygon]);
-  frame_.geometry.umbra_edges.push_back(whole_.geometry.umbra_edges[polygon]);
+  frame_.geometry.umbra_sources.push_back(whole_.geometry.umbra_sources[polygon]);
 }
 
 const functional::Frame& PartFrame::only(const Part& part) {
@@ -65,7 +65,7 @@ const functional::Frame& PartFrame::only(const Part& part) {
   frame_.trace.umbra_polygons.clear();
   frame_.geometry.wedges.clear();
   frame_.geometry.umbra_planes.clear();
-  frame_.geometry.umbra_edges.clear();
+  frame_.geometry.umbra_sources.clear();
   frame_.geometry.bare_edges.clear();
   if (part.polygon) add_polygon(*part.polygon, part.wedge ? 0U : traces::kNone);
   const std::uint32_t umbra = part.polygon ? 0U : traces::kNone;

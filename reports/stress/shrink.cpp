@@ -60,18 +60,14 @@ class Shares {
 
   void find_edge(const Part& part, Culprit& culprit) const {
     functional::EdgeSource source;
-    if (part.polygon) source = frame_.geometry.umbra_edges[*part.polygon];
+    if (part.polygon) source = frame_.geometry.umbra_sources[*part.polygon].edge;
     if (part.wedge) source = frame_.geometry.wedges[*part.wedge].source;
     if (part.bare) source = frame_.geometry.bare_edges[*part.bare].source;
-    culprit.has_edge = source.exists();
-    if (source.exists()) {
+    culprit.has_edge = source.begin != source.end;
+    if (culprit.has_edge) {
       const auto& positions = case_.scene.objects[source.object].mesh.positions;
       culprit.begin = positions[source.begin];
       culprit.end = positions[source.end];
-    } else if (part.wedge) {
-      culprit.has_edge = true;
-      culprit.begin = frame_.geometry.wedges[*part.wedge].begin + frame_.origin;
-      culprit.end = frame_.geometry.wedges[*part.wedge].end + frame_.origin;
     }
   }
 

@@ -13,7 +13,7 @@ namespace {
 
 // What random_search_test.cpp found and made simple, each once wrong for the reason above it. Their
 // order never changes: a frame is called by its place.
-constexpr std::array<std::string_view, 23> kFound{
+constexpr std::array<std::string_view, 24> kFound{
     // The eye in a wedge much wider than the view: the wedge's interval of depth ended at its
     // faces.
     "light_size=4 floor_tilt_x=3 view=-6 first.size=-6",
@@ -52,6 +52,8 @@ constexpr std::array<std::string_view, 23> kFound{
     // An edge 2^28 times as long as its way from a sphere, in one line with its centre: no number.
     "light=1 light_size=-26 first.shape=2 first.thick=-35 first.z=8 first.turn=1 first.move=5 "
     "first.move_a=1 first.move_by=56",
+    // An edge whose line passes the light's very border: its front and its back plane are one.
+    "kind=1 first.shape=3 first.x=5",
 };
 
 // What can only be flagged; each was once wrong without.

@@ -229,6 +229,32 @@ TEST(LinearWedge, CornersWithoutAMeetingTakeARay) {
   }
 }
 
+// A corner so sharp that its edges are nearly in the side plane between them: which of them is on
+// which side must not be rounding. What is right at 1e-7 rad is so at 4e-9.
+TEST(LinearWedge, SidesOfSharpCorners) {
+  Random random(115);
+  for (int i = 0; i < 50; ++i) {
+    Light light;
+    light.centre = random.in_box({-2.0, 9.0, -2.0}, {2.0, 11.0, 2.0});
+    light.half_u = {0.5, 0.0, 0.0};
+    light.half_v = {0.0, 0.0, 0.5};
+    const double turn = random.uniform(0.0, 2.0 * M_PI);
+    const glm::dvec3 along(std::cos(turn), 0.0, std::sin(turn));
+    const glm::dvec3 aside(-along.z, 0.0, along.x);
+    const glm::dvec3 tip = random.in_box({-1.0, 3.0, -1.0}, {1.0, 5.0, 1.0});
+    const auto side_at = [&](double angle) {
+      const glm::dvec3 half = std::tan(0.5 * angle) * aside;
+      const auto wedges =
+          linear_wedges(light, {tip - along + half, tip, tip - along - half, tip - 2.0 * along},
+                        {glm::dvec4(0.0, 1.0, 0.0, 0.0)}, {glm::dvec3(-50.0), glm::dvec3(50.0)});
+      EXPECT_EQ(wedges.size(), 4U);
+      EXPECT_EQ(wedges[1].corner.side, SideNormal::of_quads);
+      return glm::dvec3(wedges[1].volume.planes[2]);
+    };
+    EXPECT_GT(glm::dot(side_at(4e-9), side_at(1e-7)), 0.999) << "case " << i;
+  }
+}
+
 // No plane through an edge whose line meets the light touches it.
 TEST(LinearWedge, EdgesThatPointIntoTheLightAreLeftOut) {
   Light light;

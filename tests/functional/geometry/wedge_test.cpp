@@ -112,6 +112,27 @@ TEST_P(WedgeOfLight, FacesCloseTheVolume) {
   std::cout << '\n';
 }
 
+// An edge so short that a sphere sees it under less than a millionth: are faces and planes one
+// volume all the same, as far as the edge's length tells?
+TEST(Wedge, FacesOfShortEdgesReachTheirPlanes) {
+  Random random(106);
+  for (const double length : {1e-4, 1e-6, 1e-8}) {
+    double worst = 0.0;
+    for (int i = 0; i < 300; ++i) {
+      EdgeCase edge;
+      edge.light = random_light(random, LightShape::sphere);
+      edge.begin = random.in_box({-3.0, 1.0, -3.0}, {3.0, 5.0, 3.0});
+      edge.end = edge.begin + length * random.direction();
+      choose_end(edge);
+      const WorldWedge wedge = wedge_of(edge);
+      ASSERT_FALSE(wedge.planes.empty());
+      worst = std::max(worst, faults_of(wedge).not_planar);
+    }
+    std::cout << "length " << length << ": " << worst << '\n';
+    EXPECT_LT(worst, 0.01 * length);
+  }
+}
+
 // How much of the wedge is penumbra? For a rectangle all of it, for a sphere most.
 TEST_P(WedgeOfLight, IsTight) {
   Random random(104);

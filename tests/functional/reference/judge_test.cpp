@@ -102,19 +102,27 @@ TEST(Judge, AgreesWithTheRendererOnScenes) {
   }
 }
 
+// Pixels that a change of a frame's geometry puts off, with a judge who is given the same frame.
+template <typename Change>
+std::size_t off_with(const Scene& scene, const Frame& frame, const Change& change) {
+  Frame changed = frame;
+  change(changed.geometry);
+  changed.trace.expected_li =
+      evaluate_light_intensity(scene, frame.window, frame.depth, changed.geometry, frame.trace,
+                               frame.trace.header.expected_z_method)
+          .li;
+  return compare(scene, changed, changed.trace.expected_li).off;
+}
+
 // Does the judge see a plane that is off, a wedge that is too tight, a wrong sign?
 TEST(Judge, SeesPlantedErrors) {
   for (const View view : {View{"cylinder", LightShape::rectangle},
-                          View{"cylinder", LightShape::rectangle, fb::WedgeKind_linear}}) {
+                          View{"cylinder", LightShape::rectangle, fb::WedgeKind_linear},
+                          View{"cylinder", LightShape::sphere, fb::WedgeKind_linear}}) {
     const Scene scene = scene_of(view);
     const Frame frame = frame_of(scene, view);
     const auto off_with = [&](const auto& change) {
-      ShadowGeometry changed = frame.geometry;
-      change(changed);
-      const LightIntensity light =
-          evaluate_light_intensity(scene, frame.window, frame.depth, changed, frame.trace,
-                                   frame.trace.header.expected_z_method);
-      return compare(scene, frame, light.li).off;
+      return functional::off_with(scene, frame, change);
     };
     EXPECT_EQ(off_with([](const ShadowGeometry&) {}), 0U);
     EXPECT_GT(off_with([](ShadowGeometry& g) {
@@ -131,7 +139,63 @@ TEST(Judge, SeesPlantedErrors) {
                 }
               }),
               0U);
+    EXPECT_GT(off_with([](ShadowGeometry& g) {
+                for (ShadowWedge& wedge : g.wedges) {
+                  SidedPlane& end =
+                      wedge.planes[g.kind == fb::WedgeKind_linear ? kLinearPlanes - 1
+                                                                  : wedge.planes.size() - 1];
+                  end.plane.w += end.minus ? 1.0 : -1.0;
+                }
+              }),
+              0U)
+        << "volumes that end before the floor";
   }
+}
+
+// Are planes and factors of linear wedges not taken on trust?
+TEST(Judge, SeesWrongPlanesAndFactorsOfLinearWedges) {
+  for (const LightShape light : {LightShape::rectangle, LightShape::sphere}) {
+    const View view{"overlap", light, fb::WedgeKind_linear};
+    const Scene scene = scene_of(view, {80, 53});
+    const Frame frame = frame_of(scene, view);
+    ASSERT_EQ(off_with(scene, frame, [](const ShadowGeometry&) {}), 0U);
+    for (std::size_t plane = 0; plane < 4; ++plane) {
+      EXPECT_GT(off_with(scene, frame,
+                         [&](ShadowGeometry& g) {
+                           for (ShadowWedge& wedge : g.wedges) {
+                             wedge.planes[plane].plane.w += 0.01;
+                           }
+                         }),
+                10U)
+          << "plane " << plane;
+    }
+    for (std::size_t factor = 0; factor < 6; ++factor) {
+      EXPECT_GT(off_with(scene, frame,
+                         [&](ShadowGeometry& g) {
+                           for (ShadowWedge& wedge : g.wedges) wedge.factors[factor] *= 1.05;
+                         }),
+                10U)
+          << "factor " << factor;
+    }
+  }
+}
+
+// Does the judge miss that volumes end before a receiver does, where the umbra polygons that close
+// them are in a wrong plane?
+TEST(Judge, SeesWrongEnds) {
+  const View view{"eye-in-shadow", LightShape::rectangle};
+  const Scene scene = scene_of(view);
+  const Frame frame = frame_of(scene, view);
+  ASSERT_EQ(frame.trace.header.expected_z_method, fb::ZMethod_fail);
+  EXPECT_GT(off_with(scene, frame,
+                     [&](ShadowGeometry& g) {
+                       for (std::size_t i = 0; i < g.umbra_planes.size(); ++i) {
+                         if (g.umbra_sources[i].plane != UmbraPlane::end) continue;
+                         SidedPlane& end = g.umbra_planes[i];
+                         end.plane.w += end.minus ? 3.0 : -3.0;
+                       }
+                     }),
+            0U);
 }
 
 // Is a scene far from the world's origin judged by what it is, not by where it is?
@@ -159,7 +223,7 @@ TEST(Judge, MissesALostWedge) {
   const std::vector<double> before = judge_light_intensity(scene, frame, pixels);
   const ShadowWedge& lost = frame.geometry.wedges.back();
   frame.geometry.bare_edges.push_back(
-      {lost.source, lost.umbra_plane, lost.planes.back(), frame.trace.wedges.back().umbra()});
+      {lost.source, lost.umbra_plane, lost.planes, frame.trace.wedges.back().umbra()});
   frame.geometry.wedges.pop_back();
   frame.trace.wedges.pop_back();
   EXPECT_EQ(judge_light_intensity(scene, frame, pixels), before);

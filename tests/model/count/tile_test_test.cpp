@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "model/count/primitive.h"
+#include "tests/model/count/synthetic.h"
 
 namespace wedgesim::model::tile_test {
 namespace {
@@ -89,6 +90,22 @@ TEST(TileTest, SatCullsDisjointBoxes) {
   EXPECT_TRUE(culled({9.0, 10.0, 9.0, 10.0, {0.61, 0.7}}));
   EXPECT_TRUE(culled({9.0, 10.0, 9.0, 10.0, {0.3, 0.39}}));
   EXPECT_FALSE(culled({16.005, 20.0, 9.0, 10.0, {0.5, 0.55}})) << "as near as snapping moves";
+}
+
+// The near plane cuts a wedge that the eye is in, and there it has no face: what is nearer than all
+// its vertices may be inside.
+TEST(TileTest, SatKeepsWhatIsBeforeAllFacesAroundTheEye) {
+  const auto culled = [](double z_min) {
+    test::SyntheticTrace synthetic(24, 24, 0.5);
+    const std::uint32_t bottom = synthetic.add_plane(0, 0, -1, 0.9);
+    synthetic.add_face({{0, 0, 0.8}, {24, 0, 0.8}, {24, 24, 0.9}, {0, 24, 0.9}}, test::Facing::eye,
+                       bottom);
+    synthetic.add_wedge(traces::fb::WedgeKind_coverage, {bottom}, z_min, 0.9);
+    return culls_sat(wedge_primitive(synthetic.trace.view(), ZMethod::pass, 0), kBox);
+  };
+  EXPECT_TRUE(culled(0.8));
+  EXPECT_FALSE(culled(0.0));
+  EXPECT_FALSE(culled(-1e-9));
 }
 
 TEST(TileTest, InsideIffEveryCornerIs) {
