@@ -19,6 +19,8 @@ constexpr double kLeastForward = 0.2;
 // So are those that reach the end plane this many times farther away than a ray of the penumbra,
 // or never: its inverse.
 constexpr double kLeastReach = 0.01;
+// A side plane at an edge under less than this does not say which side the edge is on.
+constexpr double kInPlane = 1e-9;
 // How far a wedge whose sides diverge may go, in diagonals of all that receives.
 constexpr double kLidRadius = 4.0;
 
@@ -127,8 +129,8 @@ glm::dvec3 meeting(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec3& a
 }
 
 Corner corner_between(const EdgePlanes& ending, const EdgePlanes& starting, const glm::dvec3& at,
-                      const glm::dvec3& ending_begin, const glm::dvec3& light_centre,
-                      const EndPlane& end_plane) {
+                      const glm::dvec3& ending_begin, const glm::dvec3& starting_end,
+                      const glm::dvec3& light_centre, const EndPlane& end_plane) {
   Corner corner;
   const glm::dvec3 away = glm::normalize(at - light_centre);
   corner.front = meeting(ending.front, starting.front, away, end_plane,
@@ -150,8 +152,13 @@ Corner corner_between(const EdgePlanes& ending, const EdgePlanes& starting, cons
     normal -= glm::dot(normal, away) * away;
   }
   normal = glm::normalize(normal);
-  const bool by_lines = corner.decided.side == SideNormal::of_lines;
-  if (by_lines && glm::dot(normal, ending_begin - at) < 0.0) normal = -normal;
+  if (corner.decided.side == SideNormal::of_lines) {
+    const double to_ending = glm::dot(normal, glm::normalize(ending_begin - at));
+    corner.decided.ending_in_side = std::abs(to_ending) < kInPlane;
+    const double inward =
+        corner.decided.ending_in_side ? glm::dot(normal, at - starting_end) : to_ending;
+    if (inward < 0.0) normal = -normal;
+  }
   corner.side = glm::dvec4(normal, -glm::dot(normal, at));
   const glm::dvec3 across = ending.normal + starting.normal;
   corner.direction = across - glm::dot(across, normal) * normal;
@@ -189,7 +196,7 @@ void drop_unused(WorldWedge& volume, std::size_t kept) {
 }
 
 double reciprocal(const glm::dvec4& plane, const glm::dvec3& direction) {
-  return 1.0 / std::max(std::abs(glm::dot(glm::dvec3(plane), direction)), 1e-12);
+  return 1.0 / std::max(std::abs(glm::dot(glm::dvec3(plane), direction)), kLeastSlope);
 }
 
 }  // namespace
@@ -222,8 +229,8 @@ std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec
   std::vector<Corner> corners;  // at the begin of edge i
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t before = (i + n - 1) % n;
-    corners.push_back(
-        corner_between(planes[before], planes[i], loop[i], loop[before], light.centre, end_plane));
+    corners.push_back(corner_between(planes[before], planes[i], loop[i], loop[before],
+                                     loop[(i + 1) % n], light.centre, end_plane));
   }
   const glm::dvec3 centre = 0.5 * (bounds.low + bounds.high);
   const double radius = kLidRadius * bounds.diagonal();

@@ -22,12 +22,16 @@ struct LinearCorner {
   /// Front planes, and back planes, meet too far aside: a ray of the penumbra is in their place.
   std::array<bool, 2> by_ray{};
   SideNormal side = SideNormal::of_lines;
+  /// The edge that ends here is in the side plane: the other one says which side is whose.
+  bool ending_in_side = false;
   /// The middle of the quads' normals has no direction in the side plane: that across the light's
   /// way is in its place.
   bool across_way = false;
 };
 
 inline constexpr std::size_t kLinearPlanes = 5;
+/// A way along which a plane comes nearer more slowly than this counts as if it did so.
+inline constexpr double kLeastSlope = 1e-12;
 
 /// A wedge of Papers I and II: planes 0 front, 1 back, 2 left (at the edge's begin), 3 right, 4
 /// bottom, then up to three that end it where its sides diverge; the umbra polygon is its front

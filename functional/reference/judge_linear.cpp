@@ -59,7 +59,8 @@ RealVector touched_corner(const std::array<RealVector, 4>& corners, const RealVe
 }
 
 Real slope(const JudgedPlane& plane, const RealVector& way) {
-  return abs(dot(plane.normal(), way));
+  const Real slope = abs(dot(plane.normal(), way));
+  return slope < kLeastSlope ? Real(kLeastSlope) : slope;
 }
 
 // a · by_a over the sum of both, in [0, 1].
@@ -147,7 +148,8 @@ JudgedLoop::Corner JudgedLoop::make_corner(const Edge& ending, const Edge& start
       corner.side = part_across(ending.begin - at, away);
       break;
   }
-  corner.side = turned_to(corner.side, ending.begin - at);
+  corner.side =
+      turned_to(corner.side, decided.ending_in_side ? at - starting.end : ending.begin - at);
   corner.across = decided.across_way ? across(corner.side, away) : part_across(quads, corner.side);
   return corner;
 }

@@ -13,7 +13,7 @@ namespace {
 
 // What random_search_test.cpp found and made simple, each once wrong for the reason above it. Their
 // order never changes: a frame is called by its place.
-constexpr std::array<std::string_view, 24> kFound{
+constexpr std::array<std::string_view, 26> kFound{
     // The eye in a wedge much wider than the view: the wedge's interval of depth ended at its
     // faces.
     "light_size=4 floor_tilt_x=3 view=-6 first.size=-6",
@@ -54,6 +54,10 @@ constexpr std::array<std::string_view, 24> kFound{
     "first.move_a=1 first.move_by=56",
     // An edge whose line passes the light's very border: its front and its back plane are one.
     "kind=1 first.shape=3 first.x=5",
+    // An edge in the side plane at its end: rounding said on which side of it the next edge is.
+    "kind=1 grid=9 casters=1 second.shape=5 second.depth=-8 second.pyramid=1",
+    // An edge in both its side planes: the ways to them along it have no end.
+    "kind=1 grid=2 first.shape=2 first.z=6 first.then=2",
 };
 
 // What can only be flagged; each was once wrong without.

@@ -255,6 +255,30 @@ TEST(LinearWedge, SidesOfSharpCorners) {
   }
 }
 
+// A square beneath a light so near that rays are in the place of lines, and one side plane holds
+// the edge that ends at it: is the edge that begins there on its own side?
+TEST(LinearWedge, AnEdgeInTheSidePlaneLeavesTheOtherItsSide) {
+  Light light;
+  light.half_u = {-0.25, 0.0, 0.0};
+  light.half_v = {0.0, 0.0, -0.25};
+  constexpr double kHalf = 0x1.3cp-11;
+  constexpr double kBelow = 0x1.cp-9;
+  const std::vector<glm::dvec3> loop{{kHalf, -kBelow, kHalf},
+                                     {kHalf, -kBelow, -kHalf},
+                                     {-kHalf, -kBelow, -kHalf},
+                                     {-kHalf, -kBelow, kHalf}};
+  const Bounds bounds{glm::dvec3(-4.0, -2.0, -4.0), glm::dvec3(4.0, 0.0, 4.0)};
+  const auto wedges = linear_wedges(light, loop, {glm::dvec4(0.0, 1.0, 0.0, 2.0)}, bounds);
+  ASSERT_EQ(wedges.size(), 4U);
+  int in_side = 0;
+  for (const LinearWedge& wedge : wedges) {
+    if (!wedge.corner.ending_in_side) continue;
+    ++in_side;
+    EXPECT_GT(value(wedge.volume.planes[2], wedge.end), 0.0);
+  }
+  EXPECT_GT(in_side, 0);
+}
+
 // No plane through an edge whose line meets the light touches it.
 TEST(LinearWedge, EdgesThatPointIntoTheLightAreLeftOut) {
   Light light;
