@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -53,6 +54,11 @@ struct Primitive {
   // The umbra polygon.
   std::optional<RasterUmbra> polygon;
 
+  /// Does one of the wedge's rasterized faces cover a pixel?
+  bool faces_cover(int x, int y) const {
+    return std::any_of(faces.begin(), faces.end(),
+                       [&](const RasterFace& face) { return face.outline.covers(x, y); });
+  }
   /// In single-pass the polygon shares the wedge's visit if it faces as the wedge's rasterized
   /// faces do, under `share` `all` always if the wedge is a `coverage` one.
   bool shares(bool share_all) const {

@@ -41,11 +41,15 @@ ZSteps::ZSteps(traces::fb::DepthFormat format, std::span<const std::uint32_t> wo
 }
 
 std::int64_t ZSteps::of_word(std::uint32_t word) const {
+  return is_unorm(format_) ? word : std::llrint(unrounded(word));
+}
+
+double ZSteps::unrounded(std::uint32_t word) const {
   if (is_unorm(format_)) return word;
   if (format_ == traces::fb::DepthFormat_float32_reversed) {
-    return -std::llrint(static_cast<double>(std::bit_cast<float>(word)) * one_);
+    return -static_cast<double>(std::bit_cast<float>(word)) * one_;
   }
-  return std::llrint(traces::decode_depth(format_, word) * one_);
+  return traces::decode_depth(format_, word) * one_;
 }
 
 std::int64_t ZSteps::first(double z) const {

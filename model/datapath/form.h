@@ -37,6 +37,8 @@ class ZSteps {
   std::int64_t high() const { return high_; }
   /// \return  [low(), high()]
   std::int64_t of_word(std::uint32_t word) const;
+  /// The same before it is rounded to a whole step.
+  double unrounded(std::uint32_t word) const;
   /// The first step not below a window depth, and the last not above it: a stored depth is in
   /// [z_min, z_max] iff its steps are in [first(z_min), last(z_max)] (for unorm depths). At most
   /// one beyond low() and high().

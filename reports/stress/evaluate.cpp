@@ -30,11 +30,6 @@ struct Pixel {
   double centre_y() const { return y + 0.5; }
 };
 
-bool covers(const Primitive& primitive, int x, int y) {
-  return std::any_of(primitive.faces.begin(), primitive.faces.end(),
-                     [&](const model::RasterFace& face) { return face.outline.covers(x, y); });
-}
-
 class Walk {
  public:
   Walk(const traces::TraceView& trace, model::ZMethod method, const model::Datapath& datapath)
@@ -88,7 +83,7 @@ class Walk {
   void add_wedge(const Primitive& wedge) {
     std::vector<const Pixel*> inside;
     for (const Pixel& p : pixels_) {
-      if (!covers(wedge, p.x, p.y)) continue;
+      if (!wedge.faces_cover(p.x, p.y)) continue;
       if (is_inside(wedge, p)) inside.push_back(&p);
     }
     std::vector<double> values;
@@ -147,7 +142,7 @@ class Walk {
     const bool linear = primitive.wedge && !primitive.coverage;
     return std::any_of(pixels_.begin(), pixels_.end(), [&](const Pixel& p) {
       const bool here = (umbra != nullptr && umbra->outline.covers(p.x, p.y)) ||
-                        (primitive.wedge && covers(primitive, p.x, p.y));
+                        (primitive.wedge && primitive.faces_cover(p.x, p.y));
       if (!here) return false;
       if (may_err(primitive.wedge ? primitive.inner : umbra->inner, p)) return true;
       return linear && std::any_of(primitive.planes.begin(), primitive.planes.end(),
@@ -229,8 +224,8 @@ std::vector<std::vector<std::uint32_t>> wedges_at(const traces::TraceView& trace
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       const auto x = static_cast<int>(pixels[i] % trace.header.width);
       const auto y = static_cast<int>(pixels[i] / trace.header.width);
-      const bool here =
-          covers(primitive, x, y) || (primitive.polygon && primitive.polygon->outline.covers(x, y));
+      const bool here = primitive.faces_cover(x, y) ||
+                        (primitive.polygon && primitive.polygon->outline.covers(x, y));
       if (here && (found[i].empty() || found[i].back() != number)) found[i].push_back(number);
     }
   };

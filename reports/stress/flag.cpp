@@ -4,21 +4,12 @@
 #include <bit>
 #include <cmath>
 #include <map>
-#include <set>
 
+#include "model/count/rounding_bound.h"
 #include "model/count/wedge_check.h"
 
 namespace wedgesim::reports::stress {
 namespace {
-
-// Roundings to nearest are spread evenly over one unit: a variance of 1/12 each.
-bool rounds_too_often(std::uint32_t contributions, const model::Datapath& datapath) {
-  const double deviation = std::sqrt(contributions / 12.0) / datapath.one();
-  return 5.0 * deviation > datapath.tolerance();
-}
-
-// A primitive's error at a pixel from here on counts: several may add up to the tolerance.
-constexpr double kVisible = 0.125 / 255.0;
 
 // A reversed depth w has 24 bits however small it is, but 1 - w in double has none beyond 2^-53:
 // below w = 2^-26 its rounding is more than 1/8 step of w.
@@ -28,83 +19,160 @@ bool is_finer_than_double(const traces::TraceView& trace, std::size_t pixel) {
   return stored > 0.0F && stored < 0x1p-26F;
 }
 
-bool differ(const Evaluation::Part& part, const Evaluation::Part& exact) {
-  auto other = exact.shares.begin();
-  for (const Evaluation::Share& share : part.shares) {
-    for (; other != exact.shares.end() && other->pixel < share.pixel; ++other) {
-      if (std::fabs(other->li) > kVisible) return true;
-    }
-    const bool both = other != exact.shares.end() && other->pixel == share.pixel;
-    if (std::fabs(share.li - (both ? other->li : 0.0)) > kVisible) return true;
-    if (both) ++other;
-  }
-  return std::any_of(other, exact.shares.end(),
-                     [](const Evaluation::Share& share) { return std::fabs(share.li) > kVisible; });
+// What the roundings of contributions, to a word and in the operators before, may add up to: they
+// are spread evenly over one unit, a variance of 1/12 each; five standard deviations.
+double rounded_together(std::uint32_t contributions, const model::Datapath& datapath) {
+  const bool fixed = datapath.kind == model::DatapathKind::fixed;
+  const bool single = datapath.kind == model::DatapathKind::float32;
+  const double word = fixed ? 1.0 / datapath.one() : 0.0;
+  const int bits = fixed ? datapath.formats.significand_bits : (single ? 24 : 53);
+  const double operators = std::ldexp(1.0, 2 - bits);
+  return 5.0 * std::sqrt(contributions / 12.0) * std::hypot(word, operators);
 }
+
+class Flagging {
+ public:
+  Flagging(const traces::TraceView& trace, const model::Datapath& datapath,
+           const Evaluation& evaluation, const Evaluation& exact)
+      : trace_(trace), datapath_(datapath), evaluation_(evaluation), exact_(exact) {}
+
+  std::vector<Flagged> run() {
+    foreseen_ = true;
+    if (datapath_.kind == model::DatapathKind::exact) {
+      add_constants();
+      add_uncertain();
+    }
+    add_doubtful();
+    if (datapath_.kind == model::DatapathKind::fixed) {
+      add_at([&](std::size_t i) { return !datapath_.li_holds(evaluation_.sums[i]); },
+             "LI leaves its word at a pixel");
+    }
+    if (datapath_.kind == model::DatapathKind::exact) {
+      add_at([&](std::size_t i) { return is_finer_than_double(trace_, i); },
+             "a pixel's stored depth is finer than its window depth in double precision");
+    }
+    foreseen_ = false;
+    add_differing();
+    std::vector<Flagged> flagged;
+    for (auto& [number, one] : flagged_) flagged.push_back(std::move(one));
+    return flagged;
+  }
+
+ private:
+  // The first reason stays.
+  void add(std::uint32_t number, std::string_view reason) {
+    flagged_.try_emplace(number, Flagged{number, std::string(reason), foreseen_});
+  }
+
+  template <typename Concerns>
+  void add_at(const Concerns& concerns, std::string_view reason) {
+    std::vector<std::size_t> pixels;
+    for (std::size_t i = 0; i < trace_.depth.size(); ++i) {
+      if (concerns(i)) pixels.push_back(i);
+    }
+    for (const auto& numbers : wedges_at(trace_, pixels)) {
+      for (const std::uint32_t number : numbers) add(number, reason);
+    }
+  }
+
+  void add_constants() {
+    for (const model::WedgeFlag& found : model::flag_wedges(trace_, datapath_)) {
+      add(found.wedge, model::describe(found.reason));
+    }
+  }
+
+  void add_uncertain() {
+    for (const Evaluation::Part& part : evaluation_.parts) {
+      if (part.uncertain) {
+        add(part.number, "a plane of it passes a pixel by less than its rounding");
+      } else if (part.rounding > 0.25 * datapath_.tolerance()) {
+        add(part.number, "rounding may move its edge in the light by a quarter of the bar");
+      }
+    }
+  }
+
+  void add_doubtful() {
+    const model::Operands operands(trace_, datapath_);
+    const model::RoundingBound bound(operands, datapath_);
+    const model::ZMethod method = trace_.header.expected_z_method == traces::fb::ZMethod_fail
+                                      ? model::ZMethod::fail
+                                      : model::ZMethod::pass;
+    struct Sum {
+      double li = 0.0, nearer = 0.0, farther = 0.0;
+      std::uint32_t parts = 0;  // that are in doubt
+    };
+    std::vector<Sum> sums(trace_.depth.size());
+    std::vector<std::pair<std::uint32_t, model::Doubt>> doubts;
+    const auto look = [&](std::uint32_t number, const model::Primitive& primitive) {
+      for (const model::Doubt& doubt : bound(primitive)) {
+        Sum& sum = sums[doubt.pixel];
+        sum.li += doubt.li;
+        sum.nearer += doubt.nearer;
+        sum.farther += doubt.farther;
+        sum.parts += doubt.li > 0.0 ? 1 : 0;
+        if (doubt.li > 0.0) doubts.emplace_back(number, doubt);
+      }
+    };
+    const auto count = static_cast<std::uint32_t>(trace_.wedges.size());
+    for (std::uint32_t w = 0; w < count; ++w) {
+      look(w, model::wedge_primitive(operands, method, w));
+    }
+    for (const std::uint32_t i : model::lone_polygons(trace_, method)) {
+      look(count + i, model::lone_primitive(operands, method, i));
+    }
+    const auto rounded = [&](std::size_t i) {
+      return rounded_together(evaluation_.contributions[i], datapath_);
+    };
+    for (const auto& [number, doubt] : doubts) {
+      const Sum& sum = sums[doubt.pixel];
+      // The sensitivity is in doubt, too.
+      const double sensitivity = std::max(std::fabs(sum.nearer), std::fabs(sum.farther));
+      const double allowed = datapath_.tolerance() + std::max(0.0, sensitivity - 2.0 * sum.li);
+      if (sum.li + rounded(doubt.pixel) > allowed && doubt.li * sum.parts >= sum.li) {
+        add(number, "its rounding may show at a pixel");
+      }
+    }
+    add_at([&](std::size_t i) { return rounded(i) > datapath_.tolerance(); },
+           "too many contributions are rounded at a pixel");
+  }
+
+  void add_differing() {
+    const auto li = [](const Evaluation& of, std::size_t i, double one) {
+      return static_cast<double>(of.sums[i]) / one;
+    };
+    const double exact_one = model::Datapath().one();
+    const auto sensitivity = [&](std::size_t i) {
+      return trace_.li_sensitivity.empty() ? 0.0 : static_cast<double>(trace_.li_sensitivity[i]);
+    };
+    add_at(
+        [&](std::size_t i) {
+          const double error = li(evaluation_, i, datapath_.one()) - li(exact_, i, exact_one);
+          return std::fabs(error) > datapath_.tolerance() + sensitivity(i);
+        },
+        "its pixel's sum differs visibly from double precision");
+    if (trace_.expected_li.empty()) return;
+    // What the trace's matrices and planes have lost, all datapaths lack.
+    add_at(
+        [&](std::size_t i) {
+          const double error = li(exact_, i, exact_one) - trace_.expected_li[i];
+          return std::fabs(error) > 0.25 * datapath_.tolerance() + sensitivity(i);
+        },
+        "the block and the renderer differ at a pixel");
+  }
+
+  const traces::TraceView& trace_;
+  const model::Datapath& datapath_;
+  const Evaluation& evaluation_;
+  const Evaluation& exact_;
+  std::map<std::uint32_t, Flagged> flagged_;
+  bool foreseen_ = false;
+};
 
 }  // namespace
 
 std::vector<Flagged> flag(const traces::TraceView& trace, const model::Datapath& datapath,
                           const Evaluation& evaluation, const Evaluation& exact) {
-  std::map<std::uint32_t, std::string_view> reasons;
-  std::set<std::uint32_t> by_constants;
-  for (const model::WedgeFlag& found : model::flag_wedges(trace, datapath)) {
-    reasons.emplace(found.wedge, model::describe(found.reason));
-    by_constants.insert(found.wedge);
-  }
-  for (std::size_t i = 0; i < evaluation.parts.size(); ++i) {
-    const Evaluation::Part& part = evaluation.parts[i];
-    if (part.uncertain) {
-      reasons.emplace(part.number, "a plane of it passes a pixel by less than its rounding");
-    } else if (part.rounding > 0.25 * datapath.tolerance()) {
-      reasons.emplace(part.number,
-                      "rounding may move its edge in the light by a quarter of the bar");
-    } else if (differ(part, exact.parts[i])) {
-      reasons.emplace(part.number, "it differs visibly from double precision at a pixel");
-    }
-  }
-  const auto add_at = [&](const auto& concerns, std::string_view reason) {
-    std::vector<std::size_t> pixels;
-    for (std::size_t i = 0; i < evaluation.sums.size(); ++i) {
-      if (concerns(i)) pixels.push_back(i);
-    }
-    for (const auto& numbers : wedges_at(trace, pixels)) {
-      for (const std::uint32_t number : numbers) reasons.emplace(number, reason);
-    }
-  };
-  if (datapath.kind == model::DatapathKind::fixed) {
-    add_at([&](std::size_t i) { return !datapath.li_holds(evaluation.sums[i]); },
-           "LI leaves its word at a pixel");
-    add_at([&](std::size_t i) { return rounds_too_often(evaluation.contributions[i], datapath); },
-           "too many contributions are rounded at a pixel");
-  }
-  const auto li = [](const Evaluation& of, std::size_t i, double one) {
-    return static_cast<double>(of.sums[i]) / one;
-  };
-  const double exact_one = model::Datapath().one();
-  add_at(
-      [&](std::size_t i) {
-        const double error = li(evaluation, i, datapath.one()) - li(exact, i, exact_one);
-        return std::fabs(error) > 0.5 * datapath.tolerance();
-      },
-      "its pixel's sum differs visibly from double precision");
-  add_at([&](std::size_t i) { return is_finer_than_double(trace, i); },
-         "a pixel's stored depth is finer than its window depth in double precision");
-  if (!trace.expected_li.empty()) {
-    // What the trace's matrices and planes have lost, all datapaths lack.
-    add_at(
-        [&](std::size_t i) {
-          const double sensitivity = trace.li_sensitivity.empty() ? 0.0 : trace.li_sensitivity[i];
-          const double error = li(exact, i, exact_one) - trace.expected_li[i];
-          return std::fabs(error) > 0.25 * datapath.tolerance() + sensitivity;
-        },
-        "the block and the renderer differ at a pixel");
-  }
-  std::vector<Flagged> flagged;
-  for (const auto& [number, reason] : reasons) {
-    flagged.push_back({number, std::string(reason), by_constants.contains(number)});
-  }
-  return flagged;
+  return Flagging(trace, datapath, evaluation, exact).run();
 }
 
 }  // namespace wedgesim::reports::stress

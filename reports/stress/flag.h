@@ -14,22 +14,26 @@ namespace wedgesim::reports::stress {
 struct Flagged {
   std::uint32_t wedge = 0;  // or the number of wedges plus the index of a lone umbra polygon
   std::string reason;
-  bool by_constants = false;  // by its constants alone: `count` flags it, too
+  bool foreseen = false;  // by the datapath itself, without another arithmetic beside it
 };
 
-/// What can be known to be doubtful without a judge: a primitive is flagged
-/// - by its constants (model/count/wedge_check.h);
-/// - exact: if a plane that LI jumps across passes a pixel by less than its rounding;
-/// - if exact, at a pixel of it, differs from the trace's expected LI by a quarter of the
-///   datapath's tolerance and the sensitivity;
-/// - not exact: if at a pixel it gives, or all give together, what differs visibly from exact;
-/// - fixed: if LI leaves its word at a pixel of it, or if so many contributions are rounded there
-///   that they may add up to more than the tolerance (five standard deviations);
-/// - if a pixel of it has a reversed depth that is finer than double precision holds it.
+/// What can be known to be doubtful without a judge. A datapath itself foresees a primitive
+/// - if at a pixel all that rounding may change (model/count/rounding_bound.h) adds up, with the
+///   roundings of contributions (five standard deviations), to more than the tolerance and what is
+///   sure of the sensitivity, and this primitive's part is not below the average;
+/// - fixed: if LI leaves its word at a pixel of it;
+/// - exact: also by its constants (model/count/wedge_check.h), if a plane that LI jumps across
+///   passes a pixel by less than its rounding, and if a pixel of it has a reversed depth that is
+///   finer than double precision holds it.
+/// Others show only beside another arithmetic: that
+/// - exact, at a pixel of it, differs from the trace's expected LI by a quarter of the datapath's
+///   tolerance and the sensitivity;
+/// - not exact: all give together at a pixel what differs from exact by the tolerance and the
+///   sensitivity.
 ///
 /// \param evaluation  of the same frame and datapath
 /// \param exact       of the same frame and the exact datapath
-/// \return  by number, each once
+/// \return  by number, each once, the foreseen ones as such
 std::vector<Flagged> flag(const traces::TraceView& trace, const model::Datapath& datapath,
                           const Evaluation& evaluation, const Evaluation& exact);
 

@@ -29,6 +29,8 @@ constexpr double tolerance_of(Arithmetic arithmetic) {
   const bool wide = arithmetic == Arithmetic::fixed || arithmetic == Arithmetic::float32;
   return wide ? 2.0 / 255.0 : 1e-6;
 }
+/// How far LI's step across a plane may be off: as far as the pixels on both its sides.
+constexpr double largest_jump_of(Arithmetic arithmetic) { return 2.0 * tolerance_of(arithmetic); }
 /// RMS over the frame, and over its penumbrae, of the pixels of sensitivity <= 1/255.
 inline constexpr double kLargestRms = 0.25 / 255.0;
 
@@ -44,19 +46,25 @@ struct Errors {
   std::uint64_t leaks = 0;    // away from penumbrae, and not the exact whole number
   std::uint64_t signs = 0, wrong_signs = 0;  // of planes at the pixels their wedge covers
   std::uint64_t not_finite = 0, saturated = 0, overflowed = 0;
-  double jump = 0.0;  // largest error of LI's step from one side of a plane of a wedge to the other
-  std::uint64_t unflagged = 0;   // of `beyond`, pixels that belong to no wedge that is flagged
-  std::uint64_t unforeseen = 0;  // of `beyond`, those at no wedge that is flagged by its constants
-  std::uint64_t visits = 0;      // contributions evaluated, in
-  double seconds = 0.0;          // of one thread
-  std::vector<double> li;        // (height, width), for pictures
-  bool holds = false;            // the bar
+  /// Largest error of LI's step from one side of a plane of a wedge to the other, beyond the
+  /// sensitivity of both.
+  double jump = 0.0;
+  std::uint64_t unflagged = 0;  // of `beyond`, pixels that belong to no wedge that is flagged
+  /// Of `beyond`, those at no wedge that the datapath itself foresees, though double is right
+  /// there.
+  std::uint64_t unforeseen = 0;
+  std::uint64_t visits = 0;  // contributions evaluated, in
+  double seconds = 0.0;      // of one thread
+  std::vector<double> li;    // (height, width), for pictures
+  bool holds = false;        // the bar
 };
 
 struct Measurement {
   std::optional<std::string> refused;  // why there is no frame
   int width = 0, height = 0;
   std::size_t wedges = 0, degenerate_wedges = 0, judged = 0;
+  /// Of the judged pixels those inside a wedge of sensitivity <= 1/255: those of rms_penumbra.
+  std::size_t in_penumbra = 0;
   /// Of the plane of a shadow quad: its normal's relative change for a relative change of the
   /// input's coordinates, at most.
   double condition = 1.0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "reports/stress/case_name.h"
+#include "reports/stress/levels.h"
 
 namespace wedgesim::reports::stress {
 namespace {
@@ -88,29 +89,53 @@ std::optional<std::uint64_t> FamilyResult::first_failure(Arithmetic arithmetic,
   return {};
 }
 
+std::vector<double> FamilyResult::empty_levels() const {
+  std::size_t needed = 0;
+  for (const Arithmetic arithmetic : kArithmetics) {
+    if (const auto must = required(arithmetic)) needed = std::max(needed, levels_up_to(*must));
+  }
+  std::vector<double> empty;
+  for (std::size_t i = 0; i < needed; ++i) {
+    const bool some =
+        std::ranges::any_of(levels[i], [](const Measurement& m) { return m.in_penumbra > 0; });
+    if (!some) empty.push_back(family->levels[i]);
+  }
+  return empty;
+}
+
+std::size_t FamilyResult::levels_up_to(double difficulty) const {
+  const auto position = std::ranges::find(family->levels, difficulty);
+  return static_cast<std::size_t>(position - family->levels.begin()) + 1;
+}
+
 std::vector<std::string> FamilyResult::complaints() const {
   std::vector<std::string> complaints;
+  for (const double level : empty_levels()) {
+    if (std::ranges::count(family->empty.levels, level) > 0) continue;
+    complaints.push_back(
+        fmt::format("no pixel is in a penumbra at {}: nothing is asked", difficulty_text(level)));
+  }
   for (const Arithmetic arithmetic : kArithmetics) {
     const std::optional<double> must = required(arithmetic);
     if (must) {
-      const auto position = std::find(family->levels.begin(), family->levels.end(), *must);
-      const auto needed = static_cast<std::size_t>(position - family->levels.begin()) + 1;
-      if (levels_held(arithmetic) < needed) {
+      if (levels_held(arithmetic) < levels_up_to(*must)) {
         const auto reached = holds_to(arithmetic);
         complaints.push_back(fmt::format("{} holds to {}, must hold to {}", name_of(arithmetic),
                                          reached ? difficulty_text(*reached) : "nothing",
                                          difficulty_text(*must)));
       }
     }
-    std::uint64_t unflagged = 0;
+    // The fixed datapath must know by itself; the others have each other.
+    const bool itself = arithmetic == Arithmetic::fixed;
+    std::uint64_t silent = 0;
     for (const auto& level : levels) {
-      for (const Measurement& m : level) {
-        unflagged += m.errors[static_cast<std::size_t>(arithmetic)].unflagged;
-      }
+      const Errors worst = worst_of(level, arithmetic);
+      silent += itself ? worst.unforeseen : worst.unflagged;
     }
-    if (unflagged > 0) {
-      complaints.push_back(fmt::format("{}: {} pixels beyond the bar belong to no flagged wedge",
-                                       name_of(arithmetic), unflagged));
+    if (silent > 0) {
+      complaints.push_back(fmt::format("{}: {} pixels beyond the bar belong to no {} wedge",
+                                       name_of(arithmetic), silent,
+                                       itself ? "foreseen" : "flagged"));
     }
   }
   for (const auto& level : levels) {

@@ -30,8 +30,14 @@ struct FamilyResult {
   std::optional<double> required(Arithmetic arithmetic) const;
   /// The seed of a level's first measurement beyond the bar.
   std::optional<std::uint64_t> first_failure(Arithmetic arithmetic, std::size_t level) const;
+  /// Of the levels that must hold those without a pixel in a penumbra.
+  std::vector<double> empty_levels() const;
   /// What is wrong with it: nothing if it is as it must be.
   std::vector<std::string> complaints() const;
+
+ private:
+  /// How many levels from the first up to one of them.
+  std::size_t levels_up_to(double difficulty) const;
 };
 
 using Progress = std::function<void(const Family& family, std::size_t place, std::size_t count)>;

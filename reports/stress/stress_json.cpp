@@ -17,11 +17,13 @@ Json ranges_of(const std::vector<Flagged>& flagged) {
   for (std::size_t i = 0; i < flagged.size();) {
     std::size_t last = i;
     while (last + 1 < flagged.size() && flagged[last + 1].reason == flagged[i].reason &&
+           flagged[last + 1].foreseen == flagged[i].foreseen &&
            flagged[last + 1].wedge == flagged[last].wedge + 1) {
       ++last;
     }
-    ranges.push_back(
-        {{"wedges", {flagged[i].wedge, flagged[last].wedge}}, {"reason", flagged[i].reason}});
+    ranges.push_back({{"wedges", {flagged[i].wedge, flagged[last].wedge}},
+                      {"reason", flagged[i].reason},
+                      {"foreseen", flagged[i].foreseen}});
     i = last + 1;
   }
   return ranges;
@@ -56,6 +58,7 @@ Json levels_json(const FamilyResult& result) {
     std::size_t wedges = 0;
     std::size_t degenerate = 0;
     std::size_t judged = 0;
+    std::size_t in_penumbra = 0;
     Json refused = Json::array();
     for (std::size_t seed = 0; seed < result.levels[i].size(); ++seed) {
       const Measurement& m = result.levels[i][seed];
@@ -66,12 +69,14 @@ Json levels_json(const FamilyResult& result) {
       wedges += m.wedges;
       degenerate += m.degenerate_wedges;
       judged += m.judged;
+      in_penumbra += m.in_penumbra;
     }
     Json level{{"difficulty", result.family->levels[i]},
                {"condition", std::isfinite(condition) ? Json(condition) : Json(nullptr)},
                {"wedges", wedges},
                {"degenerate_wedges", degenerate},
                {"pixels", judged},
+               {"pixels_in_penumbra", in_penumbra},
                {"refused", refused}};
     for (const Arithmetic a : kArithmetics) {
       level["arithmetics"][name_of(a)] = errors_json(result.levels[i], a);

@@ -22,20 +22,27 @@ std::string levels_text(const FamilyResult& result) {
                    Align::right);
   table.add_column("condition", Align::right);
   table.add_column("refused", Align::right);
+  table.add_column("in penumbra", Align::right);
   for (const Arithmetic a : kArithmetics) {
     table.add_column("error", Align::right, std::string(name_of(a)));
     table.add_column("excess", Align::right);
     table.add_column("RMS", Align::right);
     table.add_column("beyond", Align::right);
     table.add_column("specks", Align::right);
+    table.add_column("leaks", Align::right);
+    table.add_column("jump", Align::right);
   }
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
     const auto& seeds = result.levels[i];
     std::size_t refused = 0;
-    for (const Measurement& m : seeds) refused += m.refused ? 1 : 0;
+    std::size_t in_penumbra = 0;
+    for (const Measurement& m : seeds) {
+      refused += m.refused ? 1 : 0;
+      in_penumbra += m.in_penumbra;
+    }
     std::vector<std::string> row{difficulty_text(result.family->levels[i]),
                                  fmt::format("{:.1e}", condition_of(seeds)),
-                                 std::to_string(refused)};
+                                 std::to_string(refused), std::to_string(in_penumbra)};
     for (const Arithmetic a : kArithmetics) {
       const Errors worst = worst_of(seeds, a);
       row.push_back(fmt::format("{:.1e}", worst.max_error));
@@ -43,6 +50,8 @@ std::string levels_text(const FamilyResult& result) {
       row.push_back(fmt::format("{:.1e}", worst.rms));
       row.push_back(std::to_string(worst.beyond));
       row.push_back(std::to_string(worst.specks));
+      row.push_back(std::to_string(worst.leaks));
+      row.push_back(fmt::format("{:.1e}", worst.jump));
     }
     table.add_row(std::move(row));
   }

@@ -114,6 +114,14 @@ std::string broken_words(const Errors& errors) {
                        errors.beyond == 1 ? "pixel" : "pixels", error_text(errors.max_excess));
   }
   if (errors.not_finite > 0) return "contributions that are no number";
+  if (errors.leaks > 0) {
+    return fmt::format("{} {} away from penumbrae whose sum is not whole", errors.leaks,
+                       errors.leaks == 1 ? "pixel" : "pixels");
+  }
+  if (errors.rms <= kLargestRms && errors.rms_penumbra <= kLargestRms) {
+    return fmt::format("a step across a plane off by {} beyond its sensitivity",
+                       error_text(errors.jump));
+  }
   return fmt::format("an RMS error of {}, in penumbrae of {}, where {} is the bar",
                      error_text(errors.rms), error_text(errors.rms_penumbra),
                      error_text(kLargestRms));

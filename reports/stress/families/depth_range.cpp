@@ -20,7 +20,7 @@ Case near_far(std::uint64_t seed, double ratio) {
 
 Family family(std::string_view name, Family::Required required,
               Case (*make)(std::uint64_t, double)) {
-  return {name, "far plane over near plane", "", decades(1, 8), required, make};
+  return {name, "far plane over near plane", "", decades(1, 12), required, make};
 }
 
 }  // namespace

@@ -82,16 +82,20 @@ Case near_crossing(std::uint64_t seed, double ratio) {
   return std::move(stage.result);
 }
 
-// The eye moves below the plate through its shadow, looking ahead.
+// The eye moves below the plate through its shadow, looking ahead. Another plate's shadow is ahead
+// of it all the way.
 Case behind_eye(std::uint64_t seed, double share) {
   Stage stage = make_stage(seed, kLightRadius);
   add_plate(stage);
   constexpr double kWay = 5.0;
+  constexpr double kAhead = 9.5;
   const double around = stage.random.between(0.0, 6.28);
   const glm::dvec3 ahead{std::cos(around), 0.0, std::sin(around)};
+  const glm::dvec3 middle = below(stage.light(), stage.aim, kSize);
+  stage.aim += (kAhead / kSize) * Slope(ahead.x, ahead.z);
+  add_plate(stage);
   functional::Camera& camera = stage.camera();
-  camera.eye = below(stage.light(), stage.aim, kSize) + glm::dvec3(0.0, 1.5, 0.0) +
-               (2.0 * share - 1.0) * kWay * ahead;
+  camera.eye = middle + glm::dvec3(0.0, 1.5, 0.0) + (2.0 * share - 1.0) * kWay * ahead;
   camera.target = camera.eye + ahead - glm::dvec3(0.0, 0.5, 0.0);
   camera.near_plane = 0.05;
   return std::move(stage.result);

@@ -13,8 +13,9 @@ namespace {
 
 constexpr double kRadius = 1.2;
 
-// The camera looks along the plane of one edge's shadow, past the edge's end, and sees a strip
-// around the edge's penumbra, however thin: there a step of stored z changes little.
+// The camera looks past the end of an edge, along the plane of its shadow but for twice the
+// penumbra's width, and sees a strip around the penumbra, however thin: it is the same picture at
+// every ratio, and a step of stored z changes little in it.
 Case small_light(std::uint64_t seed, double ratio) {
   Stage stage = make_stage(seed, kRadius * ratio);
   const functional::Light& light = stage.light();
@@ -29,7 +30,9 @@ Case small_light(std::uint64_t seed, double ratio) {
   const double width = ratio > 0.0 ? penumbra : 1e-9;
   functional::Camera& camera = stage.camera();
   camera.target = below(light, 0.5 * (corners[0] + corners[1]), kSize);
-  camera.eye = camera.target + kSize * glm::dvec3(0.0, 1.0, 0.0) - 6.0 * along;
+  const glm::dvec3 to_light = light.centre - camera.target;
+  const glm::dvec3 off = glm::normalize(glm::cross(along, to_light));
+  camera.eye = light.centre - 6.0 * along + 2.0 * width * off;
   camera.up = along;
   camera.field_of_view_degrees =
       glm::degrees(2.0 * std::atan(1.5 * width / glm::distance(camera.eye, camera.target)));
@@ -68,6 +71,25 @@ Case touching_light(std::uint64_t seed, double gap) {
   return std::move(stage.result);
 }
 
+// A rectangle of any width down to a line, over a box two of whose sides run along it. Of a line
+// the `linear` wedges of the edges along it have no volume; lights of a sphere have no such shape.
+Case line_light(std::uint64_t seed, double width) {
+  constexpr double kSide = 1.6;
+  constexpr double kHeight = 0.4;
+  Stage stage = make_stage(seed, kLightRadius);
+  functional::Light& light = stage.light();
+  light.shape = functional::LightShape::rectangle;
+  light.half_u = {kLightRadius, 0.0, 0.0};
+  light.half_v = {0.0, 0.0, kLightRadius * width};
+  light.radius = 0.0;
+  const glm::dvec3 middle = below(light, stage.aim, kDepth);
+  functional::Placement placement;
+  placement.position = {middle.x, middle.y - kHeight, middle.z};
+  add_caster(stage.result,
+             functional::placed(functional::make_box({kSide, kHeight, kSide}), placement));
+  return std::move(stage.result);
+}
+
 }  // namespace
 
 std::vector<Family> light_families() {
@@ -75,23 +97,31 @@ std::vector<Family> light_families() {
       {"small-light",
        "radius of the light over that of the occluder; 0 is a point",
        "",
-       decades(0, -9, {0.0}),
+       decades(0, -12, {0.0}),
        {1e-4, 1e-6},
        small_light},
+      {"line-light",
+       "width of a rectangular light over its length; 0 is a line",
+       "",
+       decades(0, -12, {1e-14, 1e-16, 1e-18, 1e-24}),
+       {1e-4, 1e-6},
+       line_light},
       {"large-light",
        "radius of the light over that of the occluder",
        "",
-       decades(0, 6),
+       decades(0, 9),
        {1e2, 1e3},
        large_light},
       {"touching-light",
        "gap between caster and light in light radii; below 0 the caster reaches "
        "round the light",
        "",
-       decades(0, -9, {0.0, -0.5, -3.0}),
+       {1.0, 0.8, 0.7, 0.6, 0.5, 0.3, 0.1, 0.03, 0.01, 0.005, 0.002, 1e-3, 1e-6, 0.0, -0.5, -3.0},
        {-3.0, -3.0},
        touching_light,
-       true},
+       true,
+       0.0,
+       {{1e-3, 1e-6, 0.0, -0.5, -3.0}, "refused: the penumbra spans a half-space"}},
   };
 }
 

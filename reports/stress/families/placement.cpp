@@ -51,11 +51,11 @@ std::vector<Family> placement_families() {
       {"offset",
        "distance from the origin over the light's height",
        "",
-       decades(0, 10),
+       decades(0, 11),
        {1e4, 1e5},
        offset},
-      {"scale-up", "factor on all lengths", "", decades(0, 9), {1e6, 1e6}, scale},
-      {"scale-down", "factor on all lengths", "", decades(0, -9), {1e-6, 1e-6}, scale},
+      {"scale-up", "factor on all lengths", "", decades(0, 10), {1e6, 1e6}, scale},
+      {"scale-down", "factor on all lengths", "", decades(0, -12), {1e-6, 1e-6}, scale},
   };
 }
 

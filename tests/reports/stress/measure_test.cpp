@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "reports/stress/case_name.h"
+#include "tests/reports/stress/silhouettes.h"
 
 namespace wedgesim::reports::stress {
 namespace {
@@ -50,6 +51,46 @@ TEST(Measure, ErrorsAreThoseOfThePictures) {
   }
   EXPECT_GT(m.errors[static_cast<std::size_t>(Arithmetic::fixed)].beyond, 0U);
   EXPECT_GT(m.condition, 1e5);
+}
+
+// Pixels that the fixed datapath gets wrong are at wedges that it flags without any other
+// arithmetic: for its forms, its word, its roundings.
+TEST(Measure, TheFixedDatapathForeseesWhatItGetsWrong) {
+  for (const char* name : {"distance-ratio,0,1e8", "near-far-float32,0,1e8", "line-light,0,1e-8",
+                           "overlap,0,30", "many-edges,0,1000"}) {
+    SCOPED_TRACE(name);
+    const Measurement m = of(name);
+    const Errors& errors = m.errors[static_cast<std::size_t>(Arithmetic::fixed)];
+    EXPECT_GT(errors.beyond, 0U);
+    EXPECT_EQ(errors.unforeseen, 0U);
+    EXPECT_FALSE(errors.holds);
+  }
+}
+
+TEST(Measure, HarmlessCasesAreNotFlagged) {
+  for (const char* name : {"offset,0,1", "offset,1,1", "offset,2,1", "grazing-edge,1,0.001"}) {
+    SCOPED_TRACE(name);
+    const Measurement m = of(name);
+    EXPECT_TRUE(m.flagged[static_cast<std::size_t>(Arithmetic::fixed)].empty());
+    EXPECT_TRUE(m.flagged[static_cast<std::size_t>(Arithmetic::double_precision)].empty());
+  }
+}
+
+// Of a line of light the `linear` wedges of the edges along it have no volume.
+TEST(Measure, CountsDegenerateWedges) {
+  for (const char* name : {"line-light,2,1e-24", "line-light,0,1e-24", "line-light,2,0.1"}) {
+    SCOPED_TRACE(name);
+    const Case made = parse_case("name", name).make();
+    const glm::dvec3 line = made.scene.light.half_u;
+    std::size_t along = 0;
+    for (const Edge& edge : first_loop(made)) {
+      along += glm::cross(edge.end - edge.begin, line) == glm::dvec3(0.0) ? 1 : 0;
+    }
+    EXPECT_GT(along, 0U);
+    const bool is_line = glm::length(made.scene.light.half_v) < 1e-20;
+    const bool linear = made.options.kind == traces::fb::WedgeKind_linear;
+    EXPECT_EQ(of(name).degenerate_wedges, is_line && linear ? along : 0U);
+  }
 }
 
 TEST(Measure, ARefusedFrameSaysWhy) {

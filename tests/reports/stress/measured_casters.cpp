@@ -48,6 +48,10 @@ double line_from_light(const Case& made) {
   return least / radius_of(light);
 }
 
+double width_of_light(const Case& made) {
+  return glm::length(made.scene.light.half_v) / glm::length(made.scene.light.half_u);
+}
+
 double turn_at_corners(const Case& made) { return least_of_corners(made, angle_between); }
 
 double corner_angle(const Case& made) {
@@ -131,6 +135,7 @@ std::map<std::string_view, Measure> caster_measures() {
       {"distance-ratio", ratio_of_distances},
       {"short-edge", edge_length},
       {"small-light", light_against_occluder},
+      {"line-light", width_of_light},
       {"large-light", light_against_occluder},
       {"touching-light", gap_to_light},
       {"offset", floor_from_origin},

@@ -38,6 +38,33 @@ TEST(FamilyResult, ComplainsOfWhatIsWrong) {
   EXPECT_EQ(results[0].complaints().size(), 1U);
 }
 
+// float32 and double may know from each other; the fixed datapath must know by itself.
+TEST(FamilyResult, ComplainsOfWhatIsNotForeseen) {
+  auto results = tests::sample_results();
+  Measurement& m = results[0].levels[3][0];
+  m.errors[static_cast<std::size_t>(Arithmetic::float32)].unforeseen = 3;
+  EXPECT_TRUE(results[0].complaints().empty());
+  m.errors[static_cast<std::size_t>(Arithmetic::fixed)].unforeseen = 3;
+  EXPECT_EQ(results[0].complaints(),
+            std::vector<std::string>{"fixed: 3 pixels beyond the bar belong to no foreseen wedge"});
+}
+
+TEST(FamilyResult, ComplainsOfLevelsThatAskNothing) {
+  auto results = tests::sample_results();
+  FamilyResult& steady = results[0];
+  for (const std::size_t level : {1U, 3U}) {  // the second one need not hold
+    for (Measurement& m : steady.levels[level]) m.in_penumbra = 0;
+  }
+  steady.levels[2][0].in_penumbra = 0;  // the other seed's are enough
+  EXPECT_EQ(steady.empty_levels(), std::vector{1e-3});
+  EXPECT_EQ(steady.complaints(),
+            std::vector<std::string>{"no pixel is in a penumbra at 0.001: nothing is asked"});
+  Family excused = *steady.family;
+  excused.empty = {{1e-3}, "a reason"};
+  steady.family = &excused;
+  EXPECT_TRUE(steady.complaints().empty());
+}
+
 TEST(FamilyResult, TakesTheWorstAndTheMedianTime) {
   auto results = tests::sample_results();
   const Errors worst = worst_of(results[1].levels[2], Arithmetic::double_precision);

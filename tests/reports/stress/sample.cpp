@@ -41,6 +41,7 @@ Measurement sample_measurement() {
   measurement.height = 3;
   measurement.wedges = 8;
   measurement.judged = 12;
+  measurement.in_penumbra = 12;
   measurement.judge.assign(12, 0.5);
   measurement.sensitivities.assign(12, 0.0);
   double time = 20e-9;

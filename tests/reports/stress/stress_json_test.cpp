@@ -28,7 +28,7 @@ TEST(StressJson, HasTheDocumentedKeys) {
             (Keys{"tolerance", "holds_to", "required", "first_broken"}));
   const Json& level = family["levels"][2];
   EXPECT_EQ(keys_of(level), (Keys{"difficulty", "condition", "wedges", "degenerate_wedges",
-                                  "pixels", "refused", "arithmetics"}));
+                                  "pixels", "pixels_in_penumbra", "refused", "arithmetics"}));
   EXPECT_EQ(keys_of(level["arithmetics"]["double"]),
             (Keys{"max_error", "max_excess", "rms_error", "rms_penumbra", "pixels_off",
                   "pixels_beyond_bar", "pixels_beyond_bar_unflagged",
@@ -54,15 +54,17 @@ TEST(StressJson, ListsFlaggedWedgesAsRanges) {
   auto results = tests::sample_results();
   auto& flagged =
       results[1].levels[2][0].flagged[static_cast<std::size_t>(Arithmetic::double_precision)];
-  flagged = {{3, "thin"}, {4, "thin"}, {5, "wide"}, {9, "wide"}};
+  flagged = {{3, "thin"}, {4, "thin"}, {5, "thin", true}, {6, "wide"}, {9, "wide"}};
   const Json json = stress_json({}, results);
   ASSERT_EQ(json["flagged"].size(), 1U);
   EXPECT_EQ(json["flagged"][0]["family"], "brittle");
   EXPECT_EQ(json["flagged"][0]["difficulty"], 1e-4);
   EXPECT_EQ(json["flagged"][0]["pixels_beyond_bar"], 2);
-  const Json ranges = Json::array({{{"wedges", {3, 4}}, {"reason", "thin"}},
-                                   {{"wedges", {5, 5}}, {"reason", "wide"}},
-                                   {{"wedges", {9, 9}}, {"reason", "wide"}}});
+  const auto range = [](int first, int last, const char* reason, bool foreseen) {
+    return Json{{"wedges", {first, last}}, {"reason", reason}, {"foreseen", foreseen}};
+  };
+  const Json ranges = Json::array({range(3, 4, "thin", false), range(5, 5, "thin", true),
+                                   range(6, 6, "wide", false), range(9, 9, "wide", false)});
   EXPECT_EQ(json["flagged"][0]["ranges"], ranges);
 }
 

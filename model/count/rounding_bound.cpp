@@ -1,0 +1,323 @@
+#include "model/count/rounding_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "model/datapath/form.h"
+#include "traces/depth.h"
+
+namespace wedgesim::model {
+namespace {
+
+// Of what a step of stored z changes in a plane: several planes may err at one pixel.
+constexpr double kMostSteps = 1.0 / 8.0;
+// Forms that are off by so much of the tolerance, of their own value, show in no word.
+constexpr double kLeast = 0x1p-13;
+
+// A form at a point: how far its value may be off, and what a step of stored z changes in it.
+struct Reading {
+  double value = 0.0, error = 0.0, per_step = 0.0;
+  bool is_unsure() const { return std::fabs(value) <= error && error > kMostSteps * per_step; }
+};
+
+struct Point {
+  double x = 0.0, y = 0.0, z = 0.0;  // as the datapath takes them
+  double step = 0.0;                 // of stored depth
+  double one = 0.0;                  // steps of the fixed datapath in window depth 1
+};
+
+Reading read(const datapath::FixedForm& form, const Point& p) {
+  const double slope = std::fabs(static_cast<double>(form.c));
+  return {static_cast<double>(form.at(datapath::place(p.x, p.y, p.z))),
+          p.x + p.y + 0.5 * (std::fabs(p.z) + 1.0), slope * p.step};
+}
+
+template <typename Real>
+Reading read(const RowOf<Real>& row, const Point& p) {
+  const auto size = [](auto x) { return std::fabs(static_cast<double>(x)); };
+  const double terms = size(row.a) * p.x + size(row.b) * p.y + size(row.c) * p.z + size(row.d);
+  constexpr double kUnit = 0.5 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+  return {static_cast<double>(
+              row.at(static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z))),
+          4.0 * kUnit * terms, size(row.c) * p.step};
+}
+
+Reading read(const Plane& plane, const Point& p) {
+  if (plane.arithmetic == Arithmetic::fixed) return read(plane.form, p);
+  if (plane.arithmetic == Arithmetic::double_precision) {
+    return read(Row{plane.a, plane.b, plane.c, plane.d}, p);
+  }
+  const auto single = [](double x) { return static_cast<float>(x); };
+  return read(RowOf<float>{single(plane.a), single(plane.b), single(plane.c), single(plane.d)}, p);
+}
+
+void shift(datapath::FixedForm& form, double by) {
+  form.d += static_cast<std::int64_t>(by < 0.0 ? std::floor(by) : std::ceil(by));
+}
+template <typename Form>
+void shift(Form& form, double by) {
+  form.d = static_cast<decltype(form.d)>(static_cast<double>(form.d) + by);
+}
+
+// Each form that a light intensity or coverage is made from.
+template <typename Real, typename F>
+void for_each_form(LinearTermsOf<Real>& terms, F f) {
+  for (Plane& plane : terms.planes) f(plane);
+}
+template <typename Real, typename F>
+void for_each_form(RectangleTermsOf<Real>& terms, F f) {
+  for (auto& end : terms.ends) {
+    for (auto* form : {&end.u, &end.v, &end.w}) f(*form);
+  }
+}
+template <typename Real, typename F>
+void for_each_form(SphereTermsOf<Real>& terms, F f) {
+  for (auto* form : {&terms.along, &terms.out, &terms.normal, &terms.w}) f(*form);
+}
+template <typename F>
+void for_each_form(datapath::LinearSetup& setup, F f) {
+  for (datapath::FixedForm& plane : setup.planes) f(plane);
+}
+template <typename F>
+void for_each_form(datapath::RectangleSetup& setup, F f) {
+  for (auto& end : setup.ends) {
+    for (auto* form : {&end.u, &end.v, &end.w}) f(*form);
+  }
+  for (auto* form : {&setup.line.a, &setup.line.b, &setup.line.c}) f(*form);
+}
+template <typename F>
+void for_each_form(datapath::DiscSetup& setup, F f) {
+  for (auto* form : {&setup.along, &setup.out, &setup.normal, &setup.w, &setup.beyond}) f(*form);
+  for (auto& end : setup.ends) {
+    f(end.along);
+    f(end.turn);
+  }
+}
+template <typename F>
+void for_each_form(LightTerms& terms, F f) {
+  const auto visit = [&](auto& of) { for_each_form(of, f); };
+  if (auto* fixed = std::get_if<FixedTerms>(&terms)) return std::visit(visit, fixed->setup);
+  if (auto* single = std::get_if<SingleTerms>(&terms)) return std::visit(visit, *single);
+  if (auto* linear = std::get_if<LinearTerms>(&terms)) return visit(*linear);
+  if (auto* sphere = std::get_if<SphereTerms>(&terms)) return visit(*sphere);
+  visit(std::get<RectangleTerms>(terms));
+}
+
+// In floating point an edge is clipped to a rectangle by shares of its length: what is small beside
+// the edge as seen from the point is lost.
+template <typename Terms>
+double lost_by_clipping(const Terms&, const Point&) {
+  return 0.0;
+}
+template <typename Real>
+double lost_by_clipping(const RectangleTermsOf<Real>& terms, const Point& p) {
+  double reach = 0.0;
+  double height = 0.0;
+  for (const auto& end : terms.ends) {
+    reach = std::max({reach, std::fabs(read(end.u, p).value), std::fabs(read(end.v, p).value)});
+    height = std::max(height, std::fabs(read(end.w, p).value));
+  }
+  return 2.0 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * reach / height;
+}
+double lost_by_clipping(const LightTerms& terms, const Point& p) {
+  const auto visit = [&](const auto& of) { return lost_by_clipping(of, p); };
+  if (const auto* single = std::get_if<SingleTerms>(&terms)) return std::visit(visit, *single);
+  if (const auto* rectangle = std::get_if<RectangleTerms>(&terms)) return visit(*rectangle);
+  return 0.0;
+}
+
+bool is_same(const Plane& p, const Plane& q) {
+  return p.a == q.a && p.b == q.b && p.c == q.c && p.d == q.d;
+}
+
+// Something that may be decided either way.
+struct Choice {
+  bool no = false, yes = false;
+  static Choice sure(bool is) { return {!is, is}; }
+};
+
+Choice inside(const Plane& plane, const Point& p) {
+  if (read(plane, p).is_unsure()) return {true, true};
+  return Choice::sure(plane.inside(p.x, p.y, p.z));
+}
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+// One primitive at one pixel.
+class PixelShare {
+ public:
+  /// \param terms  those of the primitive, to be moved and put back
+  PixelShare(const Primitive& primitive, LightTerms& terms, bool wedge, bool polygon, double least)
+      : primitive_(primitive), terms_(terms), wedge_(wedge), polygon_(polygon), least_(least) {}
+
+  /// As the datapath gives it.
+  double at(const Point& p) const {
+    const bool inner = polygon_ ? is_inner(*primitive_.polygon, true, p.x, p.y, p.z)
+                                : primitive_.wedge && primitive_.inner.inside(p.x, p.y, p.z);
+    const bool in_wedge =
+        wedge_ && in_interval(p) && std::ranges::all_of(primitive_.planes, [&](const Plane& plane) {
+          return plane.inside(p.x, p.y, p.z);
+        });
+    return of_polygon(inner) + (in_wedge ? of_wedge(inner, light(p)) : 0.0);
+  }
+
+  /// All that it may be.
+  void add(const Point& p, Range& range) const {
+    const Choice inner = inner_at(p);
+    if (inner.no) add(p, false, range);
+    if (inner.yes) add(p, true, range);
+  }
+
+ private:
+  void add(const Point& p, bool inner, Range& range) const {
+    const Choice in_wedge = in_wedge_at(p, inner);
+    if (in_wedge.no) range.add(of_polygon(inner));
+    if (!in_wedge.yes) return;
+    const double value = light(p);
+    const double off = light_off(p, value);
+    for (const double moved : {value - off, value + off}) {
+      range.add(of_polygon(inner) + of_wedge(inner, moved));
+    }
+  }
+
+  double of_polygon(bool inner) const {
+    if (!polygon_) return 0.0;
+    const RasterUmbra& umbra = *primitive_.polygon;
+    return umbra.cap || inner == umbra.hits_inner ? umbra.stencil_step : 0.0;
+  }
+  double of_wedge(bool inner, double value) const {
+    return primitive_.coverage && !inner ? -value : value;
+  }
+  bool in_interval(const Point& p) const {
+    return p.z >= primitive_.z.min && p.z <= primitive_.z.max;
+  }
+
+  Choice inner_at(const Point& p) const {
+    if (polygon_) {
+      const RasterUmbra& umbra = *primitive_.polygon;
+      const bool by_plane = !umbra.cap && p.z >= umbra.z.min && p.z <= umbra.z.max;
+      return by_plane ? inside(umbra.inner, p) : Choice::sure(is_inner(umbra, true, p.x, p.y, p.z));
+    }
+    return primitive_.wedge ? inside(primitive_.inner, p) : Choice::sure(false);
+  }
+
+  // A plane of the wedge that is the umbra polygon's is decided as that one.
+  Choice in_wedge_at(const Point& p, bool inner) const {
+    if (!wedge_ || !in_interval(p)) return Choice::sure(false);
+    Choice all = Choice::sure(true);
+    for (const Plane& plane : primitive_.planes) {
+      Choice one = inside(plane, p);
+      if (one.no && one.yes && is_same(plane, primitive_.inner)) {
+        one = Choice::sure(inner == (plane.minus == primitive_.inner.minus));
+      }
+      if (!one.yes) return Choice::sure(false);
+      all.no = all.no || one.no;
+    }
+    return all;
+  }
+
+  double light(const Point& p) const { return contribution(terms_, p.x, p.y, p.z); }
+
+  double light_off(const Point& p, double value) const {
+    double sum = std::min(lost_by_clipping(terms_, p), 1.0);
+    for_each_form(terms_, [&](auto& form) {
+      const Reading reading = read(form, p);
+      if (reading.error <= least_ * std::fabs(reading.value)) return;
+      const auto kept = form;
+      double most = 0.0;
+      for (const double by : {-reading.error, reading.error}) {
+        shift(form, by);
+        most = std::max(most, std::fabs(light(p) - value));
+        form = kept;
+      }
+      sum += most;
+    });
+    return sum;
+  }
+
+  const Primitive& primitive_;
+  LightTerms& terms_;
+  bool wedge_, polygon_;
+  double least_;  // forms off by less of their value are right
+};
+
+}  // namespace
+
+RoundingBound::RoundingBound(const Operands& operands, const Datapath& datapath) {
+  const traces::TraceView& trace = operands.trace();
+  const traces::fb::DepthFormat format = trace.header.depth_format;
+  const datapath::ZSteps steps(format, trace.depth);
+  const bool fixed = datapath.kind == DatapathKind::fixed;
+  const bool single = datapath.kind == DatapathKind::float32;
+  tolerance_ = datapath.tolerance();
+  const auto unrounded = [&](std::uint32_t word) {
+    return fixed ? steps.unrounded(word) : traces::decode_depth(format, word);
+  };
+  const auto width = static_cast<std::size_t>(trace.header.width);
+  pixels_.reserve(trace.depth.size());
+  for (std::size_t i = 0; i < trace.depth.size(); ++i) {
+    const std::uint32_t word = trace.depth[i];
+    Pixel pixel;
+    pixel.index = i;
+    pixel.column = static_cast<int>(i % width);
+    pixel.row = static_cast<int>(i / width);
+    const double z = operands.depth(word);
+    pixel.z[0] = z;
+    if (unrounded(word) != z) {
+      const auto next = [&](float to) {
+        return static_cast<double>(std::nextafter(static_cast<float>(z), to));
+      };
+      pixel.z[1] = single ? next(0.0F) : z - 1.0;
+      pixel.z[2] = single ? next(1.0F) : z + 1.0;
+      pixel.depths = 3;
+    }
+    const auto step = [&](int farther) {
+      return unrounded(traces::step_depth(format, word, farther)) - unrounded(word);
+    };
+    pixel.nearer = step(-1);
+    pixel.farther = step(1);
+    pixels_.push_back(pixel);
+  }
+}
+
+std::vector<Doubt> RoundingBound::operator()(const Primitive& primitive) const {
+  std::vector<Doubt> doubts;
+  LightTerms terms = primitive.terms;
+  for (const Pixel& pixel : pixels_) {
+    const bool wedge = primitive.faces_cover(pixel.column, pixel.row);
+    const bool polygon =
+        primitive.polygon && primitive.polygon->outline.covers(pixel.column, pixel.row);
+    if (!wedge && !polygon) continue;
+    const PixelShare share(primitive, terms, wedge, polygon, kLeast * tolerance_);
+    Range range;
+    const auto point = [&](std::size_t k) {
+      return Point{pixel.column + 0.5, pixel.row + 0.5, pixel.z[k],
+                   std::max(-pixel.nearer, pixel.farther)};
+    };
+    for (std::size_t k = 0; k < pixel.depths; ++k) share.add(point(k), range);
+    Doubt doubt;
+    doubt.pixel = pixel.index;
+    const double own = share.at(point(0));
+    doubt.li = std::max(range.high - own, own - range.low);
+    const auto change = [&](double step) {
+      Point moved = point(0);
+      moved.z += step;
+      return share.at(moved) - own;
+    };
+    doubt.nearer = change(pixel.nearer);
+    doubt.farther = change(pixel.farther);
+    if (doubt.li > 0.0 || doubt.nearer != 0.0 || doubt.farther != 0.0) doubts.push_back(doubt);
+  }
+  return doubts;
+}
+
+}  // namespace wedgesim::model
