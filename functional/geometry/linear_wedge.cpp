@@ -14,13 +14,18 @@ namespace {
 // An edge whose line passes the light's centre at less than this share of the distance to its
 // nearer end has no sensible front and back plane.
 constexpr double kPointsAtLight = 1e-3;
+// The direction of an edge that is shorter than this share of its way from the light's centre is
+// rounding, more than the edge's shadow is long.
+constexpr double kShortest = 1e-10;
 // Side directions this far from the way of the light are replaced by a simpler construction.
 constexpr double kLeastForward = 0.2;
 // So are those that reach the end plane this many times farther away than a ray of the penumbra,
 // or never: its inverse.
 constexpr double kLeastReach = 0.01;
-// A side plane at an edge under less than this does not say which side the edge is on.
+// A side plane at an edge under less than this, or than the rounding of its own normal, does not
+// say which side the edge is on.
 constexpr double kInPlane = 1e-9;
+constexpr double kLineRounding = 0x1p-50;
 // How far a wedge whose sides diverge may go, in diagonals of all that receives.
 constexpr double kLidRadius = 4.0;
 
@@ -91,13 +96,13 @@ bool meets_light(const Light& light, const glm::dvec3& point, const glm::dvec3& 
          std::abs(glm::dot(there, light.half_v)) < glm::dot(light.half_v, light.half_v);
 }
 
-bool points_at_light(const Light& light, const glm::dvec3& begin, const glm::dvec3& end) {
+bool has_no_planes(const Light& light, const glm::dvec3& begin, const glm::dvec3& end) {
   const glm::dvec3 a = begin - light.centre;
   const glm::dvec3 b = end - light.centre;
   const double edge = glm::length(b - a);
-  return edge == 0.0 ||
-         glm::length(glm::cross(a, b)) <
-             kPointsAtLight * edge * std::min(glm::length(a), glm::length(b)) ||
+  const double nearer = std::min(glm::length(a), glm::length(b));
+  return edge <= kShortest * nearer ||
+         glm::length(glm::cross(a, b)) < kPointsAtLight * edge * nearer ||
          meets_light(light, begin, (end - begin) / edge);
 }
 
@@ -140,7 +145,8 @@ Corner corner_between(const EdgePlanes& ending, const EdgePlanes& starting, cons
       meeting(ending.back, starting.back, away, end_plane,
               at - 0.5 * (ending.light_at_back + starting.light_at_back), corner.decided.by_ray[1]);
   glm::dvec3 normal = glm::cross(corner.front, corner.back);
-  if (glm::length(normal) < 1e-9) {
+  const double between = glm::length(normal);
+  if (between < 1e-9) {
     corner.decided.side = SideNormal::of_quads;
     // This way round: seen from a sharp corner its edges are nearly in this plane, their side
     // mostly rounding.
@@ -154,7 +160,8 @@ Corner corner_between(const EdgePlanes& ending, const EdgePlanes& starting, cons
   normal = glm::normalize(normal);
   if (corner.decided.side == SideNormal::of_lines) {
     const double to_ending = glm::dot(normal, glm::normalize(ending_begin - at));
-    corner.decided.ending_in_side = std::abs(to_ending) < kInPlane;
+    corner.decided.ending_in_side =
+        std::abs(to_ending) < std::max(kInPlane, kLineRounding / between);
     const double inward =
         corner.decided.ending_in_side ? glm::dot(normal, at - starting_end) : to_ending;
     if (inward < 0.0) normal = -normal;
@@ -207,7 +214,7 @@ std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec
   std::iota(places.begin(), places.end(), 0U);
   for (std::size_t i = 0; loop.size() >= 3 && i < loop.size();) {
     const std::size_t next = (i + 1) % loop.size();
-    if (points_at_light(light, loop[i], loop[next])) {
+    if (has_no_planes(light, loop[i], loop[next])) {
       // Keep the end nearer to the light: its shadow is the larger.
       const bool keep_first =
           glm::distance(loop[i], light.centre) <= glm::distance(loop[next], light.centre);

@@ -7,6 +7,7 @@
 
 #include "reports/stress/exact_plane.h"
 #include "reports/stress/light_rounding.h"
+#include "reports/stress/linear_rounding.h"
 #include "traces/depth.h"
 
 namespace wedgesim::reports::stress {
@@ -33,7 +34,11 @@ struct Pixel {
 class Walk {
  public:
   Walk(const traces::TraceView& trace, model::ZMethod method, const model::Datapath& datapath)
-      : trace_(trace), method_(method), datapath_(datapath), operands_(trace, datapath_) {
+      : trace_(trace),
+        method_(method),
+        datapath_(datapath),
+        operands_(trace, datapath_),
+        linear_rounding_(trace) {
     const auto width = static_cast<std::size_t>(trace.header.width);
     for (std::size_t i = 0; i < trace.depth.size(); ++i) {
       pixels_.push_back({i, static_cast<int>(i % width), static_cast<int>(i / width),
@@ -151,12 +156,14 @@ class Walk {
   }
 
   double rounding_of(const Primitive& wedge) const {
-    if (datapath_.kind != model::DatapathKind::exact || !wedge.wedge || !wedge.coverage) return 0.0;
+    if (datapath_.kind != model::DatapathKind::exact || !wedge.wedge) return 0.0;
     double worst = 0.0;
     for (const Pixel& p : pixels_) {
-      if (!covers(wedge, p.x, p.y) || p.z < wedge.z.min || p.z > wedge.z.max) continue;
-      worst = std::max(worst, light_rounding(trace_, trace_.wedges[*wedge.wedge], p.centre_x(),
-                                             p.centre_y(), p.window_z));
+      if (!wedge.faces_cover(p.x, p.y) || p.z < wedge.z.min || p.z > wedge.z.max) continue;
+      const double x = p.centre_x(), y = p.centre_y();
+      worst = std::max(worst, wedge.coverage ? light_rounding(trace_, trace_.wedges[*wedge.wedge],
+                                                              x, y, p.window_z)
+                                             : linear_rounding_(*wedge.wedge, x, y, p.window_z));
     }
     return worst;
   }
@@ -204,6 +211,7 @@ class Walk {
   model::ZMethod method_;
   model::Datapath datapath_;
   model::Operands operands_;
+  LinearRounding linear_rounding_;
   std::vector<Pixel> pixels_;
   Evaluation result_;
 };

@@ -11,6 +11,9 @@
 namespace wedgesim::reports::stress {
 namespace {
 
+constexpr std::string_view kRoundedTrace =
+    "rounding may move its edge or its planes by a quarter of the bar";
+
 // A reversed depth w has 24 bits however small it is, but 1 - w in double has none beyond 2^-53:
 // below w = 2^-26 its rounding is more than 1/8 step of w.
 bool is_finer_than_double(const traces::TraceView& trace, std::size_t pixel) {
@@ -86,7 +89,7 @@ class Flagging {
       if (part.uncertain) {
         add(part.number, "a plane of it passes a pixel by less than its rounding");
       } else if (part.rounding > 0.25 * datapath_.tolerance()) {
-        add(part.number, "rounding may move its edge in the light by a quarter of the bar");
+        add(part.number, kRoundedTrace);
       }
     }
   }
@@ -152,6 +155,9 @@ class Flagging {
         "its pixel's sum differs visibly from double precision");
     if (trace_.expected_li.empty()) return;
     // What the trace's matrices and planes have lost, all datapaths lack.
+    for (const Evaluation::Part& part : exact_.parts) {
+      if (part.rounding > 0.25 * datapath_.tolerance()) add(part.number, kRoundedTrace);
+    }
     add_at(
         [&](std::size_t i) {
           const double error = li(exact_, i, exact_one) - trace_.expected_li[i];

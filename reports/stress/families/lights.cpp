@@ -109,7 +109,7 @@ std::vector<Family> light_families() {
       {"large-light",
        "radius of the light over that of the occluder",
        "",
-       decades(0, 9),
+       decades(0, 7),
        {1e2, 1e3},
        large_light},
       {"touching-light",

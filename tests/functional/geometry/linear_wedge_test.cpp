@@ -325,5 +325,23 @@ TEST(LinearWedge, EdgesThatPointAtTheLightAreLeftOut) {
   EXPECT_TRUE(linear_wedges(light, {low, {1, 2, -1}}, end, box).empty());
 }
 
+// A direction that is rounding gives no planes; one that is only short does.
+TEST(LinearWedge, EdgesNextToNothingAreLeftOut) {
+  Light light;
+  light.shape = LightShape::sphere;
+  light.centre = {0.0, 10.0, 0.0};
+  light.radius = 0.5;
+  Bounds box;
+  box.grow(glm::dvec3(-50.0));
+  box.grow(glm::dvec3(50.0));
+  const EndPlane end{glm::dvec4(0, 1, 0, 0)};
+  const auto edges_left = [&](double length) {
+    const std::vector<glm::dvec3> loop{{-1, 2, 1}, {1, 2, 1}, {1, 2, 1.0 - length}, {0, 2, -1}};
+    return linear_wedges(light, loop, end, box).size();
+  };
+  EXPECT_EQ(edges_left(0x1p-50), 3U);
+  EXPECT_EQ(edges_left(1e-8), 4U);
+}
+
 }  // namespace
 }  // namespace wedgesim::functional

@@ -35,6 +35,22 @@ TEST(LightRounding, IsNextToNothingInHarmlessFrames) {
   }
 }
 
+TEST(LinearRounding, IsNextToNothingInHarmlessFrames) {
+  for (const char* name : {"grazing-edge,2,0.1", "offset,2,1"}) {
+    const double bound = worst_bound(name);
+    EXPECT_GT(bound, 1e-16) << name;
+    EXPECT_LT(bound, 1e-8) << name;
+  }
+}
+
+// Of `linear` wedges: planes that are all but one, lines all but parallel.
+TEST(LinearRounding, SeesWhatPlanesHaveLost) {
+  for (int i = 11; i <= 15; ++i) {
+    const std::string name = "found-flagged,0," + std::to_string(i);
+    EXPECT_GT(worst_bound(name), 0.25e-6) << name;
+  }
+}
+
 // It is a bound: nowhere is the sum of what double gives farther from the judge's.
 TEST(LightRounding, BoundsTheError) {
   int far_off = 0;
