@@ -26,6 +26,8 @@ constexpr double kLeastReach = 0.01;
 // say which side the edge is on.
 constexpr double kInPlane = 1e-9;
 constexpr double kLineRounding = 0x1p-50;
+// Between a front and a back plane that face one another at less than this angle there is nothing.
+constexpr double kFlat = 0x1p-50;
 // How far a wedge whose sides diverge may go, in diagonals of all that receives.
 constexpr double kLidRadius = 4.0;
 
@@ -79,6 +81,12 @@ EdgePlanes edge_planes(const Light& light, const glm::dvec3& begin, const glm::d
   planes.front = front / glm::length(glm::dvec3(front));
   planes.back = back / glm::length(glm::dvec3(back));
   return planes;
+}
+
+// Whether nothing is between an edge's front and its back plane.
+bool face_to_face(const EdgePlanes& planes) {
+  const glm::dvec3 front(planes.front), back(planes.back);
+  return glm::dot(front, back) < 0.0 && glm::length(glm::cross(front, back)) < kFlat;
 }
 
 // Whether a line goes through the light: then no plane through it touches the light.
@@ -258,6 +266,7 @@ std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec
                                           end_plane.plane, lid[0],         lid[1],     lid[2]};
     wedge.volume = intersect_half_spaces(sides, box);
     drop_unused(wedge.volume, kLinearPlanes);
+    if (face_to_face(planes[i])) wedge.volume.faces.clear();
     wedge.umbra = {wedge.end, wedge.begin, end_plane.reach(loop[i] - left.front, loop[i]),
                    end_plane.reach(loop[next] - right.front, loop[next])};
     const glm::dvec3 along = glm::normalize(wedge.end - wedge.begin);
