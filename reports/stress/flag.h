@@ -23,12 +23,14 @@ struct Flagged {
 ///   sure of the sensitivity, and this primitive's part is not below the average;
 /// - fixed: if LI leaves its word at a pixel of it;
 /// - exact: also by its constants (model/count/wedge_check.h), if a plane that LI jumps across
-///   passes a pixel by less than its rounding, and if a pixel of it has a reversed depth that is
-///   finer than double precision holds it.
+///   passes a pixel by less than its rounding, if the rounding of its edge or of its planes
+///   (light_rounding.h, linear_rounding.h) may move a quarter of the tolerance, and if a pixel of
+///   it has a reversed depth that is finer than double precision holds it.
 /// Others show only beside another arithmetic: that
 /// - exact, at a pixel of it, differs from the trace's expected LI by a quarter of the datapath's
 ///   tolerance and the sensitivity;
-/// - not exact: all give together at a pixel what differs from exact by the tolerance and the
+/// - not exact: that rounding in double precision may be a quarter of its tolerance, or that all
+///   give together at a pixel what differs from exact by the tolerance and the
 ///   sensitivity.
 ///
 /// \param evaluation  of the same frame and datapath

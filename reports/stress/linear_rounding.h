@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <vector>
 
 #include "traces/trace.h"
