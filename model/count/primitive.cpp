@@ -8,6 +8,9 @@ namespace {
 
 using traces::TraceView;
 
+// Window depth: more than rounding moves a vertex, or a pixel that is on a face.
+constexpr double kDepthSlack = 1e-9;
+
 template <typename Polygon>
 Outline outline_of(const TraceView& trace, const Polygon& polygon) {
   std::vector<Snapped> vertices;
@@ -52,7 +55,8 @@ void add_vertex_bounds(const Operands& operands, const traces::fb::Wedge& wedge,
   if (wedge.face_count() > 0) {
     // With the eye inside it, a wedge is cut by the near plane, where it may have no face.
     if (wedge.z_min() <= 0.0) box.z.min = std::min(box.z.min, wedge.z_min());
-    box.z = operands.culling_interval(operands.around(box.z.min, box.z.max), primitive.z);
+    box.z = operands.culling_interval(
+        operands.around(box.z.min - kDepthSlack, box.z.max + kDepthSlack), primitive.z);
   }
   primitive.vertex_box = box;
 }

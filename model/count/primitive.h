@@ -47,7 +47,7 @@ struct Primitive {
   ZInterval z;
   std::vector<RasterFace> faces;
   std::vector<std::uint32_t> face_numbers;  // of `faces` in the trace
-  Box vertex_box;                           // around the vertices of all its faces
+  Box vertex_box;                           // holds the vertices of all its faces
   LightTerms terms;
   /// Of the wedge's umbra polygon, whether it takes part or not: the sign of `coverage`.
   Plane inner;

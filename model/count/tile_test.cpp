@@ -31,11 +31,10 @@ bool culls_planes(const Primitive& wedge, const Box& box) {
 
 bool culls_sat(const Primitive& wedge, const Box& box) {
   constexpr double kSnap = 1.0 / 128.0;  // pixels: more than snapping moves a vertex
-  constexpr double kDepth = 1e-9;        // more than rounding moves one
   const Box& vertices = wedge.vertex_box;
   return vertices.x0 > box.x1 + kSnap || vertices.x1 < box.x0 - kSnap ||
          vertices.y0 > box.y1 + kSnap || vertices.y1 < box.y0 - kSnap ||
-         vertices.z.min > box.z.max + kDepth || vertices.z.max < box.z.min - kDepth;
+         vertices.z.min > box.z.max || vertices.z.max < box.z.min;
 }
 
 bool is_inside(const Primitive& wedge, const Box& box) {

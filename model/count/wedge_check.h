@@ -35,9 +35,8 @@ std::string_view describe(FlagReason reason);
 /// pixel's sensitivity allows. So a form is good if either is small: an eighth of a step, so that
 /// several wedges may err at one pixel, or 1/2048 pixel, which few pixel centres are near to.
 /// E is a bound, over the whole frame and all depths of the forms' rounding alone:
-/// - `fixed`: each coefficient is off by half a unit, (X + Y + Z + 1) / 2 units in all, with X and
-/// Y
-///   the frame's edges in half pixels and Z its depth in steps;
+/// - `fixed`: each coefficient is off by half a unit, (X + Y + Z + 1) / 2 units in all, with X
+///   and Y the frame's edges in half pixels and Z its depth in steps;
 /// - in floating point: of four products and three sums, each off by at most u of what it adds to,
 ///   4 u (|a| X + |b| Y + |c| + |d|), u = 2^-24 or 2^-53.
 /// \return  in the order of the wedges; the worst form of each

@@ -108,6 +108,30 @@ TEST(TileTest, SatKeepsWhatIsBeforeAllFacesAroundTheEye) {
   EXPECT_FALSE(culled(-1e-9));
 }
 
+// A pixel inside all planes by rounding may be beyond all vertices by as much window depth,
+// whatever the arithmetic's unit of depth is.
+TEST(TileTest, SatsSlackIsWindowDepth) {
+  constexpr double kDepth = 1.0 - 0x1p-26;
+  test::SyntheticTrace synthetic(24, 24, 1.0 - 0x1p-25, traces::fb::LightShape_rectangle,
+                                 traces::fb::DepthFormat_float32_reversed);
+  const std::uint32_t bottom = synthetic.add_plane(0, 0, -1, 1.0);
+  synthetic.add_face({{0, 0, kDepth}, {24, 0, kDepth}, {24, 24, kDepth}, {0, 24, kDepth}},
+                     test::Facing::eye, bottom);
+  synthetic.add_wedge(traces::fb::WedgeKind_coverage, {bottom}, kDepth - 1e-9, kDepth + 1e-9);
+  const traces::TraceView trace = synthetic.trace.view();
+  for (const DatapathKind kind : {DatapathKind::exact, DatapathKind::fixed}) {
+    const Operands operands(trace, Datapath(kind));
+    const Primitive wedge = wedge_primitive(operands, ZMethod::pass, 0);
+    const auto culled_at = [&](double z) {
+      return culls_sat(wedge, {8.0, 16.0, 8.0, 16.0, operands.around(z, z)});
+    };
+    EXPECT_FALSE(culled_at(kDepth + 0.9e-9)) << spelling(kind);
+    EXPECT_TRUE(culled_at(kDepth + 1.1e-9)) << spelling(kind);
+    EXPECT_FALSE(culled_at(kDepth - 0.9e-9)) << spelling(kind);
+    EXPECT_TRUE(culled_at(kDepth - 1.1e-9)) << spelling(kind);
+  }
+}
+
 TEST(TileTest, InsideIffEveryCornerIs) {
   const auto inside = [](const Plane& plane, ZInterval z) {
     return is_inside(wedge_of({from_depth(0.0), plane}, z), kBox);
