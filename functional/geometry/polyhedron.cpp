@@ -10,6 +10,11 @@
 namespace wedgesim::functional {
 namespace {
 
+// A wedge is as thin at its edge as its light is small, and as long as the scene: vertices have
+// twice the digits of the planes until they are done.
+__extension__ using Quad = __float128;
+using Point = std::array<Quad, 3>;
+
 struct Facet {
   glm::dvec4 plane;
   std::vector<std::uint32_t> corners;  // counter-clockwise seen from outside
@@ -20,9 +25,9 @@ class Solid {
  public:
   explicit Solid(const Bounds& box) {
     for (int i = 0; i < 8; ++i) {
-      vertices_.emplace_back((i & 1) != 0 ? box.high.x : box.low.x,
-                             (i & 2) != 0 ? box.high.y : box.low.y,
-                             (i & 4) != 0 ? box.high.z : box.low.z);
+      vertices_.push_back({(i & 1) != 0 ? box.high.x : box.low.x,
+                           (i & 2) != 0 ? box.high.y : box.low.y,
+                           (i & 4) != 0 ? box.high.z : box.low.z});
     }
     facets_ = {{{1, 0, 0, -box.low.x}, {0, 4, 6, 2}}, {{-1, 0, 0, box.high.x}, {1, 3, 7, 5}},
                {{0, 1, 0, -box.low.y}, {0, 1, 5, 4}}, {{0, -1, 0, box.high.y}, {2, 6, 7, 3}},
@@ -31,19 +36,21 @@ class Solid {
 
   // Keeps what is inside a plane.
   void cut(const glm::dvec4& plane) {
-    distance_.clear();
-    for (const glm::dvec3& p : vertices_) {
-      distance_.push_back(glm::dot(glm::dvec3(plane), p) + plane.w);
+    places_.assign(vertices_.size(), {});
+    bool some_inside = false, some_outside = false;
+    for (const Facet& facet : facets_) {
+      for (const std::uint32_t v : facet.corners) {
+        if (places_[v].known) continue;
+        const Point& p = vertices_[v];
+        const Quad distance = plane.x * p[0] + plane.y * p[1] + plane.z * p[2] + plane.w;
+        places_[v] = {true, distance > 0 ? 1 : (distance < 0 ? -1 : 0), distance};
+        some_inside |= places_[v].side > 0;
+        some_outside |= places_[v].side < 0;
+      }
     }
-    const auto any = [&](auto holds) {
-      return std::any_of(facets_.begin(), facets_.end(), [&](const Facet& facet) {
-        return std::any_of(facet.corners.begin(), facet.corners.end(),
-                           [&](std::uint32_t v) { return holds(distance_[v]); });
-      });
-    };
-    if (!any([](double d) { return d < 0.0; })) return;
+    if (!some_outside) return;
     std::vector<Facet> kept;
-    if (any([](double d) { return d > 0.0; })) {
+    if (some_inside) {
       std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings;
       for (const Facet& facet : facets_) {
         std::vector<std::uint32_t> corners = clipped(facet.corners, crossings);
@@ -55,10 +62,19 @@ class Solid {
     facets_ = std::move(kept);
   }
 
-  const std::vector<glm::dvec3>& vertices() const { return vertices_; }
+  glm::dvec3 vertex(std::uint32_t i) const {
+    const Point& p = vertices_[i];
+    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+  }
   const std::vector<Facet>& facets() const { return facets_; }
 
  private:
+  struct Place {
+    bool known = false;
+    int side = 0;  // of the sign of the distance
+    Quad distance = 0;
+  };
+
   // The corners of a facet inside the plane, none if it has only points on it. The vertex where an
   // edge crosses the plane is made once, for both facets.
   std::vector<std::uint32_t> clipped(
@@ -69,19 +85,27 @@ class Solid {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const std::uint32_t a = corners[i];
       const std::uint32_t b = corners[(i + 1) % corners.size()];
-      const double da = distance_[a];
-      const double db = distance_[b];
-      inside |= da > 0.0;
-      if (da >= 0.0) kept.push_back(a);
-      if (!((da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0))) continue;
+      const Place& of_a = places_[a];
+      const Place& of_b = places_[b];
+      inside |= of_a.side > 0;
+      if (of_a.side >= 0) kept.push_back(a);
+      if (of_a.side * of_b.side >= 0) continue;
       const auto [crossing, added] =
           crossings.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(vertices_.size()));
-      if (added)
-        vertices_.push_back(vertices_[a] + (da / (da - db)) * (vertices_[b] - vertices_[a]));
+      if (added) {
+        const Quad share = of_a.distance / (of_a.distance - of_b.distance);
+        vertices_.push_back(between(vertices_[a], vertices_[b], share));
+      }
       kept.push_back(crossing->second);
     }
     if (!inside) kept.clear();
     return kept;
+  }
+
+  static Point between(const Point& a, const Point& b, Quad share) {
+    Point p;
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] = a[i] + share * (b[i] - a[i]);
+    return p;
   }
 
   // The outline of the hole that facets leave open, the way round that closes it.
@@ -112,9 +136,9 @@ class Solid {
     return outline;
   }
 
-  std::vector<glm::dvec3> vertices_;
+  std::vector<Point> vertices_;
   std::vector<Facet> facets_;
-  std::vector<double> distance_;  // of each vertex from the plane that cuts
+  std::vector<Place> places_;  // of each vertex, to the plane that cuts
 };
 
 }  // namespace
@@ -133,7 +157,7 @@ WorldWedge intersect_half_spaces(std::span<const glm::dvec4> planes, const Bound
     for (const std::uint32_t v : facet.corners) {
       const auto [at, added] =
           used.try_emplace(v, static_cast<std::uint32_t>(result.vertices.size()));
-      if (added) result.vertices.push_back(solid.vertices()[v]);
+      if (added) result.vertices.push_back(solid.vertex(v));
       face.corners.push_back(at->second);
     }
     result.faces.push_back(std::move(face));

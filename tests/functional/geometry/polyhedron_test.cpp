@@ -100,5 +100,26 @@ TEST(Polyhedron, PlanesThroughCorners) {
   }
 }
 
+// A sliver about the origin, thinner than the rounding of the box that it is cut from.
+TEST(Polyhedron, AThinSliverOfALargeBox) {
+  Random random(97);
+  const Bounds box{glm::dvec3(-1e10), glm::dvec3(1e10)};
+  for (int i = 0; i < 1000; ++i) {
+    const glm::dvec3 across = random.direction();
+    const glm::dvec3 u = glm::normalize(glm::cross(across, random.direction()));
+    const glm::dvec3 v = glm::cross(across, u);
+    const std::vector<glm::dvec4> planes{{u, 1.0},  {-u, 1.0},      {v, 1.0},
+                                         {-v, 1.0}, {across, 1e-9}, {-across, 1e-9}};
+    const WorldWedge sliver = intersect_half_spaces(planes, box);
+    ASSERT_EQ(sliver.faces.size(), 6U) << "case " << i;
+    for (const WedgeFace& face : sliver.faces) {
+      const glm::dvec4& plane = planes[face.plane];
+      for (const std::uint32_t c : face.corners) {
+        ASSERT_NEAR(glm::dot(glm::dvec3(plane), sliver.vertices[c]) + plane.w, 0.0, 1e-15);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace wedgesim::functional
