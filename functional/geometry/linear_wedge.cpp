@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "functional/geometry/polyhedron.h"
+#include "functional/raster/exact_cross.h"
 #include "functional/scene/across.h"
 
 namespace wedgesim::functional {
@@ -26,21 +27,23 @@ constexpr double kLeastReach = 0.01;
 // say which side the edge is on.
 constexpr double kInPlane = 1e-9;
 constexpr double kLineRounding = 0x1p-50;
+// A corner this many times as far from the light as one next to it is far.
+constexpr double kFar = 16.0;
 // Between a front and a back plane that face one another at less than this angle there is nothing.
 constexpr double kFlat = 0x1p-50;
 // How far a wedge whose sides diverge may go, in diagonals of all that receives.
 constexpr double kLidRadius = 4.0;
 
+// Of an edge: its front plane, then its back plane.
 struct EdgePlanes {
   glm::dvec3 normal;                     // of the shadow quad, unit, into the shadow
-  std::array<std::size_t, 2> touched{};  // of light_corners, by front and back plane
-  glm::dvec3 light_at_front;             // the point of the light its front plane touches
-  glm::dvec3 light_at_back;
-  glm::dvec4 front, back;  // unit normals, into the wedge
+  std::array<std::size_t, 2> touched{};  // of light_corners
+  std::array<glm::dvec3, 2> touch;       // points of the light, relative to its centre
+  std::array<glm::dvec4, 2> planes;      // unit normals, into the wedge
 };
 
 // The corner of a rectangle whose plane through the edge leaves the others on one side: the best of
-// the four.
+// the four. Where the edge's line goes through a corner, the plane has the next one, too.
 std::size_t touched_corner(const Light& light, const glm::dvec3& edge_begin,
                            const glm::dvec3& edge_end, double sign) {
   const std::vector<glm::dvec3> corners = light_corners(light);
@@ -50,7 +53,8 @@ std::size_t touched_corner(const Light& light, const glm::dvec3& edge_begin,
     const glm::dvec3& corner = corners[i];
     const glm::dvec3 n = sign * glm::cross(edge_end - corner, edge_begin - corner);
     const double length = glm::length(n);
-    if (length == 0.0) continue;
+    const double from_line = length / glm::distance(edge_begin, edge_end);
+    if (!(from_line > kOnLine * glm::distance(corner, light.centre))) continue;
     double beyond = -1e300;
     for (const glm::dvec3& other : corners) {
       beyond = std::max(beyond, glm::dot(n / length, other - corner));
@@ -66,26 +70,25 @@ std::size_t touched_corner(const Light& light, const glm::dvec3& edge_begin,
 EdgePlanes edge_planes(const Light& light, const glm::dvec3& begin, const glm::dvec3& end) {
   EdgePlanes planes;
   planes.normal = glm::normalize(glm::dvec3(quad_plane(light.centre, begin, end)));
-  if (light.shape == LightShape::rectangle) {
-    planes.touched = {touched_corner(light, begin, end, 1.0),
-                      touched_corner(light, begin, end, -1.0)};
-    const std::vector<glm::dvec3> corners = light_corners(light);
-    planes.light_at_front = corners[planes.touched[0]];
-    planes.light_at_back = corners[planes.touched[1]];
-  } else {
-    planes.light_at_front = light.centre + light.radius * planes.normal;
-    planes.light_at_back = light.centre - light.radius * planes.normal;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double sign = i == 0 ? 1.0 : -1.0;
+    if (light.shape == LightShape::rectangle) {
+      planes.touched[i] = touched_corner(light, begin, end, sign);
+      Light about_centre = light;
+      about_centre.centre = glm::dvec3(0.0);
+      planes.touch[i] = light_corners(about_centre)[planes.touched[i]];
+    } else {
+      planes.touch[i] = sign * light.radius * planes.normal;
+    }
+    const glm::dvec4 plane = sign * quad_plane(light.centre + planes.touch[i], begin, end);
+    planes.planes[i] = plane / glm::length(glm::dvec3(plane));
   }
-  const glm::dvec4 front = quad_plane(planes.light_at_front, begin, end);
-  const glm::dvec4 back = -quad_plane(planes.light_at_back, begin, end);
-  planes.front = front / glm::length(glm::dvec3(front));
-  planes.back = back / glm::length(glm::dvec3(back));
   return planes;
 }
 
 // Whether nothing is between an edge's front and its back plane.
 bool face_to_face(const EdgePlanes& planes) {
-  const glm::dvec3 front(planes.front), back(planes.back);
+  const glm::dvec3 front(planes.planes[0]), back(planes.planes[1]);
   return glm::dot(front, back) < 0.0 && glm::length(glm::cross(front, back)) < kFlat;
 }
 
@@ -114,67 +117,101 @@ bool has_no_planes(const Light& light, const glm::dvec3& begin, const glm::dvec3
          meets_light(light, begin, (end - begin) / edge);
 }
 
+// A line that leads away from the light.
+struct Line {
+  glm::dvec3 from;    // a point near the light, relative to its centre
+  glm::dvec3 way;     // unit
+  double sine = 1.0;  // of the angle between the planes that meet in it
+};
+
 // One corner of the loop: the directions in which the front and back planes of its two edges meet,
 // and the side plane through both, with the edge that ends here on its positive side.
 struct Corner {
   LinearCorner decided;
-  glm::dvec3 front, back;
+  glm::dvec3 front;  // direction
   glm::dvec4 side;
   glm::dvec3 direction;  // in the side plane, across the penumbra (Paper I, 4.1)
 };
 
-// The direction of the line in which two planes meet, or the ray `instead`, which does reach the
-// end plane, where that line hardly does or hardly leads away from the light (`by_ray`).
-glm::dvec3 meeting(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec3& away,
-                   const EndPlane& end_plane, const glm::dvec3& instead, bool& by_ray) {
+// The edges at a corner, and where they are.
+struct CornerEdges {
+  const EdgePlanes& ending;
+  const EdgePlanes& starting;
+  glm::dvec3 at;  // from the light's centre, as the others
+  glm::dvec3 ending_begin, starting_end;
+  glm::dvec3 away() const { return glm::normalize(at); }
+};
+
+// The line in which two front (0) or back planes (1) meet, or a ray of the penumbra, which does
+// reach the end plane, where that line hardly does or hardly leads away from the light (`by_ray`).
+Line meeting(const CornerEdges& edges, std::size_t i, const EndPlane& end_plane, bool& by_ray) {
+  const glm::dvec3 middle = 0.5 * (edges.ending.touch[i] + edges.starting.touch[i]);
+  const Line ray{middle, glm::normalize(edges.at - middle)};
+  const glm::dvec3 a(edges.ending.planes[i]), b(edges.starting.planes[i]);
+  Line line;
+  line.way = glm::cross(a, b);
+  line.sine = glm::length(line.way);
   by_ray = true;
-  const glm::dvec3 ray = glm::normalize(instead);
-  glm::dvec3 direction = glm::cross(glm::dvec3(a), glm::dvec3(b));
-  const double length = glm::length(direction);
-  if (length < 1e-6) return ray;
-  direction /= length;
-  if (glm::dot(direction, away) < 0.0) direction = -direction;
+  if (line.sine < 1e-6) return ray;
+  line.way /= line.sine;
+  // The point nearest to the centre, made from where the planes touch the light: however far the
+  // edges go, it has the light's digits.
+  line.from = (glm::dot(a, edges.ending.touch[i]) * glm::cross(b, line.way) +
+               glm::dot(b, edges.starting.touch[i]) * glm::cross(line.way, a)) /
+              line.sine;
+  if (glm::dot(line.way, edges.at) < 0.0) line.way = -line.way;
   const glm::dvec3 down = -glm::dvec3(end_plane.plane);
-  const bool leads = glm::dot(direction, away) >= kLeastForward &&
-                     glm::dot(direction, down) >= kLeastReach * glm::dot(ray, down);
-  by_ray = !leads;
-  return leads ? direction : ray;
+  by_ray = glm::dot(line.way, edges.away()) < kLeastForward ||
+           glm::dot(line.way, down) < kLeastReach * glm::dot(ray.way, down);
+  return by_ray ? ray : line;
 }
 
-Corner corner_between(const EdgePlanes& ending, const EdgePlanes& starting, const glm::dvec3& at,
-                      const glm::dvec3& ending_begin, const glm::dvec3& starting_end,
-                      const glm::dvec3& light_centre, const EndPlane& end_plane) {
+Corner corner_between(const CornerEdges& edges, const glm::dvec3& light_centre,
+                      const EndPlane& end_plane) {
   Corner corner;
-  const glm::dvec3 away = glm::normalize(at - light_centre);
-  corner.front = meeting(ending.front, starting.front, away, end_plane,
-                         at - 0.5 * (ending.light_at_front + starting.light_at_front),
-                         corner.decided.by_ray[0]);
-  corner.back =
-      meeting(ending.back, starting.back, away, end_plane,
-              at - 0.5 * (ending.light_at_back + starting.light_at_back), corner.decided.by_ray[1]);
-  glm::dvec3 normal = glm::cross(corner.front, corner.back);
-  const double between = glm::length(normal);
-  if (between < 1e-9) {
+  const auto& [ending, starting, at, ending_begin, starting_end] = edges;
+  const glm::dvec3 away = edges.away();
+  const Line front = meeting(edges, 0, end_plane, corner.decided.by_ray[0]);
+  const Line back = meeting(edges, 1, end_plane, corner.decided.by_ray[1]);
+  corner.front = front.way;
+  glm::dvec3 through = front.from;
+  glm::dvec3 normal = exact_cross({at, front.from}, {back.from, front.from});
+  const double apart = glm::length(normal) / glm::distance(at, front.from);
+  const double light_size =
+      std::max({glm::length(ending.touch[0]), glm::length(ending.touch[1]),
+                glm::length(starting.touch[0]), glm::length(starting.touch[1])});
+  if (!(apart > 1e-9 * light_size)) {
     corner.decided.side = SideNormal::of_quads;
     // This way round: seen from a sharp corner its edges are nearly in this plane, their side
     // mostly rounding.
+    through = glm::dvec3(0.0);
     normal = glm::cross(ending.normal + starting.normal, away);
-  }
-  if (glm::length(normal) < 1e-9) {  // the loop turns back along the edge
-    corner.decided.side = SideNormal::along_edge;
-    normal = ending_begin - at;
-    normal -= glm::dot(normal, away) * away;
+    if (glm::length(normal) < 1e-9) {  // the loop turns back along the edge
+      corner.decided.side = SideNormal::along_edge;
+      normal = ending_begin - at;
+      normal -= glm::dot(normal, away) * away;
+    }
   }
   normal = glm::normalize(normal);
   if (corner.decided.side == SideNormal::of_lines) {
+    const double rounding = kLineRounding * light_size / (std::min(front.sine, back.sine) * apart);
+    const double least = std::max(kInPlane, rounding);
     const double to_ending = glm::dot(normal, glm::normalize(ending_begin - at));
-    corner.decided.ending_in_side =
-        std::abs(to_ending) < std::max(kInPlane, kLineRounding / between);
-    const double inward =
-        corner.decided.ending_in_side ? glm::dot(normal, at - starting_end) : to_ending;
+    const double to_starting = glm::dot(normal, glm::normalize(starting_end - at));
+    double inward = to_ending;
+    if (std::abs(to_ending) < least) {
+      corner.decided.sign =
+          std::abs(to_starting) < least ? SideSign::of_both : SideSign::of_starting;
+      inward = corner.decided.sign == SideSign::of_both
+                   ? glm::dot(normal, ending_begin - starting_end)
+                   : -to_starting;
+    }
     if (inward < 0.0) normal = -normal;
   }
-  corner.side = glm::dvec4(normal, -glm::dot(normal, at));
+  // Of a vertex much farther from the light than its neighbours, near the light.
+  const double nearer = std::min(glm::length(ending_begin), glm::length(starting_end));
+  if (glm::length(at) <= kFar * nearer) through = at;
+  corner.side = glm::dvec4(normal, -glm::dot(normal, light_centre + through));
   const glm::dvec3 across = ending.normal + starting.normal;
   corner.direction = across - glm::dot(across, normal) * normal;
   const double length = glm::length(corner.direction);
@@ -244,8 +281,10 @@ std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec
   std::vector<Corner> corners;  // at the begin of edge i
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t before = (i + n - 1) % n;
-    corners.push_back(corner_between(planes[before], planes[i], loop[i], loop[before],
-                                     loop[(i + 1) % n], light.centre, end_plane));
+    corners.push_back(
+        corner_between({planes[before], planes[i], loop[i] - light.centre,
+                        loop[before] - light.centre, loop[(i + 1) % n] - light.centre},
+                       light.centre, end_plane));
   }
   const glm::dvec3 centre = 0.5 * (bounds.low + bounds.high);
   const double radius = kLidRadius * bounds.diagonal();
@@ -262,20 +301,18 @@ std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec
     wedge.corner.place = places[i];
     wedge.corner.touched = planes[i].touched;
     // The side plane at `begin` has the edge that ends there on its positive side: not this one.
-    const std::array<glm::dvec4, 8> sides{planes[i].front, planes[i].back, -left.side, right.side,
-                                          end_plane.plane, lid[0],         lid[1],     lid[2]};
+    const auto& [front, back] = planes[i].planes;
+    const std::array<glm::dvec4, 8> sides{front,           back,   -left.side, right.side,
+                                          end_plane.plane, lid[0], lid[1],     lid[2]};
     wedge.volume = intersect_half_spaces(sides, box);
     drop_unused(wedge.volume, kLinearPlanes);
     if (face_to_face(planes[i])) wedge.volume.faces.clear();
     wedge.umbra = {wedge.end, wedge.begin, end_plane.reach(loop[i] - left.front, loop[i]),
                    end_plane.reach(loop[next] - right.front, loop[next])};
     const glm::dvec3 along = glm::normalize(wedge.end - wedge.begin);
-    wedge.factors = {reciprocal(planes[i].front, left.direction),
-                     reciprocal(planes[i].back, left.direction),
-                     reciprocal(planes[i].front, right.direction),
-                     reciprocal(planes[i].back, right.direction),
-                     reciprocal(left.side, along),
-                     reciprocal(right.side, along)};
+    wedge.factors = {reciprocal(front, left.direction),  reciprocal(back, left.direction),
+                     reciprocal(front, right.direction), reciprocal(back, right.direction),
+                     reciprocal(left.side, along),       reciprocal(right.side, along)};
     wedges.push_back(std::move(wedge));
   }
   return wedges;

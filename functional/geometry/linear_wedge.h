@@ -13,6 +13,12 @@ namespace wedgesim::functional {
 /// two edges meet; where these are one, of the light's way and the middle of the quads' normals;
 /// where a loop turns back along its edge, along that edge and across the light's way.
 enum class SideNormal { of_lines, of_quads, along_edge };
+/// Which edge says which side of a side plane is whose: the one that ends at the corner; where that
+/// is in the plane, the one that starts there; where both are, the way from one to the other.
+enum class SideSign { of_ending, of_starting, of_both };
+
+/// A corner of a rectangle this near to an edge's line, of its way from the centre, is on it.
+inline constexpr double kOnLine = 1e-10;
 
 /// What is decided by comparing at the corner where an edge begins. Geometry follows from it.
 struct LinearCorner {
@@ -22,8 +28,7 @@ struct LinearCorner {
   /// Front planes, and back planes, meet too far aside: a ray of the penumbra is in their place.
   std::array<bool, 2> by_ray{};
   SideNormal side = SideNormal::of_lines;
-  /// The edge that ends here is in the side plane: the other one says which side is whose.
-  bool ending_in_side = false;
+  SideSign sign = SideSign::of_ending;
   /// The middle of the quads' normals has no direction in the side plane: that across the light's
   /// way is in its place.
   bool across_way = false;

@@ -49,7 +49,8 @@ RealVector touched_corner(const std::array<RealVector, 4>& corners, const RealVe
                           const RealVector& end, int sign, std::size_t decided) {
   for (const RealVector& corner : corners) {
     const RealVector normal = cross(end - begin, begin - corner);
-    if (normal.x == 0 && normal.y == 0 && normal.z == 0) continue;  // it is on the line
+    const double from_line = length_of(normal) / length_of(end - begin);
+    if (!(from_line > kOnLine * length_of(corner))) continue;
     const bool touches = std::ranges::all_of(corners, [&](const RealVector& other) {
       return Real(sign * dot(normal, other - corner)) <= 0;
     });
@@ -148,8 +149,17 @@ JudgedLoop::Corner JudgedLoop::make_corner(const Edge& ending, const Edge& start
       corner.side = part_across(ending.begin - at, away);
       break;
   }
-  corner.side =
-      turned_to(corner.side, decided.ending_in_side ? at - starting.end : ending.begin - at);
+  switch (decided.sign) {
+    case SideSign::of_ending:
+      corner.side = turned_to(corner.side, ending.begin - at);
+      break;
+    case SideSign::of_starting:
+      corner.side = turned_to(corner.side, at - starting.end);
+      break;
+    case SideSign::of_both:
+      corner.side = turned_to(corner.side, ending.begin - starting.end);
+      break;
+  }
   corner.across = decided.across_way ? across(corner.side, away) : part_across(quads, corner.side);
   return corner;
 }

@@ -272,11 +272,59 @@ TEST(LinearWedge, AnEdgeInTheSidePlaneLeavesTheOtherItsSide) {
   ASSERT_EQ(wedges.size(), 4U);
   int in_side = 0;
   for (const LinearWedge& wedge : wedges) {
-    if (!wedge.corner.ending_in_side) continue;
+    if (wedge.corner.sign != SideSign::of_starting) continue;
     ++in_side;
     EXPECT_GT(value(wedge.volume.planes[2], wedge.end), 0.0);
   }
   EXPECT_GT(in_side, 0);
+}
+
+// A point of the line in which two planes meet, in the plane through the origin across a way.
+glm::dvec3 common_point(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec3& way) {
+  const glm::dvec3 m(a), n(b);
+  return -(a.w * glm::cross(n, way) + b.w * glm::cross(way, m)) / glm::dot(m, glm::cross(n, way));
+}
+
+// A triangle with a vertex so far away that both its edges there are all but in the side plane
+// between them. Near the light that plane still goes through the lines in which the front and the
+// back planes meet, and leaves the edge that says so on its own side.
+TEST_P(LinearWedgeOfLight, SidePlanesOfFarVertices) {
+  Random random(116);
+  const Bounds receivers{glm::dvec3(-0x1p31), glm::dvec3(0x1p31)};
+  int compared = 0;
+  for (int i = 0; i < 500; ++i) {
+    Light light;
+    light.shape = GetParam();
+    light.radius = 0.25;
+    light.half_u = {-0.25, 0.0, 0.0};
+    light.half_v = {0.0, 0.0, -0.25};
+    const double reach = std::exp2(random.uniform(20.0, 30.0));
+    glm::dvec3 a = random.in_box({-1.0, -2.0, -1.0}, {1.0, -1.0, 1.0});
+    glm::dvec3 b = random.in_box({-1.0, -2.0, -1.0}, {1.0, -1.0, 1.0});
+    const glm::dvec3 far = reach * random.in_box({-1.0, -2.0, -1.0}, {1.0, -1.0, 1.0});
+    const double turn = glm::dot(glm::normalize(glm::cross(b, a)), glm::normalize(far));
+    if (std::abs(turn) < 0.1) continue;
+    if (turn < 0.0) std::swap(a, b);
+    const auto wedges =
+        linear_wedges(light, {a, b, far}, {glm::dvec4(0.0, 1.0, 0.0, 0x1p31)}, receivers);
+    if (wedges.size() != 3) continue;  // an edge points at the light
+    const auto& ending = wedges[1].volume.planes;
+    const auto& starting = wedges[2].volume.planes;
+    const double own = value(ending[3], b), others = value(starting[2], a);
+    const SideSign sign = wedges[2].corner.sign;
+    ASSERT_GT(
+        sign == SideSign::of_both ? own + others : (sign == SideSign::of_ending ? own : others),
+        0.0)
+        << "case " << i;
+    if (wedges[2].corner.side != SideNormal::of_lines) continue;
+    for (const std::size_t k : {0U, 1U}) {
+      if (wedges[2].corner.by_ray[k]) continue;
+      const glm::dvec3 p = common_point(ending[k], starting[k], glm::normalize(far));
+      ASSERT_NEAR(value(ending[3], p), 0.0, 1e-10) << "case " << i;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 400);
 }
 
 // No plane through an edge whose line meets the light touches it.
