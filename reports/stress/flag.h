@@ -14,24 +14,22 @@ namespace wedgesim::reports::stress {
 struct Flagged {
   std::uint32_t wedge = 0;  // or the number of wedges plus the index of a lone umbra polygon
   std::string reason;
-  bool foreseen = false;  // by the datapath itself, without another arithmetic beside it
+  bool foreseen = false;  // from the trace and the datapath's own words, without comparing any
 };
 
 /// What can be known to be doubtful without a judge. A datapath itself foresees a primitive
 /// - if at a pixel all that rounding may change (model/count/rounding_bound.h) adds up, with the
 ///   roundings of contributions (five standard deviations), to more than the tolerance and what is
 ///   sure of the sensitivity, and this primitive's part is not below the average;
+/// - if the trace's doubles have lost what decides it: a plane that LI jumps across passes a pixel
+///   by less than its rounding, or the rounding of its edge or of its planes (light_rounding.h,
+///   linear_rounding.h) may move a quarter of the tolerance;
 /// - fixed: if LI leaves its word at a pixel of it;
-/// - exact: also by its constants (model/count/wedge_check.h), if a plane that LI jumps across
-///   passes a pixel by less than its rounding, if the rounding of its edge or of its planes
-///   (light_rounding.h, linear_rounding.h) may move a quarter of the tolerance, and if a pixel of
-///   it has a reversed depth that is finer than double precision holds it.
-/// Others show only beside another arithmetic: that
-/// - exact, at a pixel of it, differs from the trace's expected LI by a quarter of the datapath's
-///   tolerance and the sensitivity;
-/// - not exact: that rounding in double precision may be a quarter of its tolerance, or that all
-///   give together at a pixel what differs from exact by the tolerance and the
-///   sensitivity.
+/// - exact: also by its constants (model/count/wedge_check.h), and if a pixel of it has a reversed
+///   depth that is finer than double precision holds it.
+/// Others show only by comparison, at a pixel of it and beyond the sensitivity: that
+/// - exact differs from the trace's expected LI by a quarter of the datapath's tolerance;
+/// - the datapath differs by its tolerance from exact, or from the expected LI.
 ///
 /// \param evaluation  of the same frame and datapath
 /// \param exact       of the same frame and the exact datapath

@@ -13,7 +13,7 @@ namespace {
 
 // What random_search_test.cpp found and made simple, each once wrong for the reason above it. Their
 // order never changes: a frame is called by its place.
-constexpr std::array<std::string_view, 29> kFound{
+constexpr std::array<std::string_view, 37> kFound{
     // The eye in a wedge much wider than the view: the wedge's interval of depth ended at its
     // faces.
     "light_size=4 floor_tilt_x=3 view=-6 first.size=-6",
@@ -64,10 +64,25 @@ constexpr std::array<std::string_view, 29> kFound{
     // Lines of meeting 2^-25 apart: which side of the side plane an edge is on was their rounding.
     "kind=1 light=1 first.shape=2 first.thick=-25 first.x=-1 first.z=-3 first.move=2 "
     "first.move_b=7",
+    // A vertex 2^20 to 2^28 away: the side plane there was what rounding left of it, near the light.
+    "kind=1 light=1 first.move=5 first.move_a=3 first.move_by=56 first.then=1 first.then_a=5 "
+    "first.then_by=48",
+    "kind=1 first.pyramid=1 first.z=-2 first.z1=-7 first.x2=-2 first.z3=-2 first.move=5 "
+    "first.move_a=2 first.move_by=54",
+    "kind=1 view=1 first.thick=-15 first.x=-5 first.move=5 first.move_a=2 first.move_by=56",
+    "kind=1 first.shape=2 first.z=-6 first.turn=7 first.y0=-1 first.then=5 first.then_by=56",
+    "kind=1 light_flat=4 turn=1 first.size=-7 first.z=1 first.move=5 first.move_by=40",
+    // Wedges thinner than the rounding of the scene that they are cut from: they had no near part.
+    "kind=1 light_flat=14 first.shape=3 first.pyramid=1 first.x=-4 first.z=3 first.then=5 "
+    "first.then_by=60",
+    "kind=1 light_size=-21 view=-3 first.shape=3 first.size=-12 first.then=5 first.then_a=7 "
+    "first.then_by=58",
+    // An edge whose line goes through a corner of the light: the plane through both was any.
+    "kind=1 turn=6 first.shape=2 first.x=-8 first.z=-4",
 };
 
 // What can only be flagged; each was once wrong without.
-constexpr std::array<std::string_view, 17> kFlagged{
+constexpr std::array<std::string_view, 18> kFlagged{
     // A caster 2^-19 as large as the light, two of its corners 2^-18 of that apart.
     "light=1 first.size=-19 first.turn=4 first.z0=2 first.x1=5 first.then=5 first.then_by=18",
     // The eye in a quad's plane, pixel centres on the line that it is seen as.
@@ -91,9 +106,7 @@ constexpr std::array<std::string_view, 17> kFlagged{
     "first.z1=6 first.z3=2 first.then=5 first.then_a=1 first.then_by=50",
     "format=1 grid=4 floor_tilt_x=6 eye_place=1 eye_x=2 eye_y=1 target_z=4 close_up=1 "
     "first.depth=16 first.size=-2 first.z=6 first.move=5 first.move_a=6 first.move_by=42",
-    // `linear`: front planes that are all but one, and lines in which planes meet that are.
-    "kind=1 turn=6 first.shape=2 first.x=-8 first.z=-4",
-    "kind=1 light_flat=4 turn=1 first.size=-7 first.z=1 first.move=5 first.move_by=40",
+    // `linear`: lines in which planes meet that are all but one.
     "kind=1 first.shape=2 first.turn=5 first.then=1 first.then_a=1 first.then_by=25",
     "kind=1 light=1 offset=6 turn=2 first.shape=3 first.size=-17 first.thick=-19 first.pyramid=1 "
     "first.z0=3",
@@ -102,6 +115,13 @@ constexpr std::array<std::string_view, 17> kFlagged{
     // A light 2^-27 wide, the eye beside it.
     "light_size=-26 eye_place=5 target_z=4 close_up=1 casters=1 first.depth=-29 second.x=1 "
     "second.z=-1 second.move=1 second.move_a=3",
+    // A reversed depth finer than double: culling by vertices left out a pixel inside all planes.
+    "format=3 light_tilt_x=-6 light_roll=-3 axes=4 eye_x=4 eye_y=-3 eye_z=-8 eye_distance=20 "
+    "near=27 close_up=1 first.shape=5 first.x=7",
+    // The same, of a quad's plane and of a penumbra: `fixed` was not warned by what double lacks.
+    "format=3 light=6 eye_distance=12 near=27 up=1",
+    "kind=1 format=3 light_roll=-4 grid=9 floor_tilt_x=3 eye_x=-4 eye_z=-6 eye_distance=16 near=26 "
+    "far=16 target_x=-7 first.shape=5 first.depth=8",
 };
 
 Case case_at(std::span<const std::string_view> cases, double index) {

@@ -45,7 +45,7 @@ TEST(LinearRounding, IsNextToNothingInHarmlessFrames) {
 
 // Of `linear` wedges: planes that are all but one, lines all but parallel.
 TEST(LinearRounding, SeesWhatPlanesHaveLost) {
-  for (int i = 11; i <= 15; ++i) {
+  for (int i = 11; i <= 13; ++i) {
     const std::string name = "found-flagged,0," + std::to_string(i);
     EXPECT_GT(worst_bound(name), 0.25e-6) << name;
   }
