@@ -327,6 +327,35 @@ TEST_P(LinearWedgeOfLight, SidePlanesOfFarVertices) {
   EXPECT_GT(compared, 400);
 }
 
+// Edges whose line goes through a corner of the light, as far as doubles tell: their planes are
+// those of a line that passes it by next to nothing, not what is left of a vector without length.
+TEST(LinearWedge, EdgesInLineWithACornerOfTheLight) {
+  Random random(117);
+  int compared = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Light light = random_light(random, LightShape::rectangle);
+    const glm::dvec3 corner = light.half_u + light.half_v;
+    const glm::dvec3 way = random.direction() + 3.0 * glm::normalize(-light.centre);
+    const glm::dvec3 third = random.in_box({-1.0, 0.0, -1.0}, {1.0, 1.0, 1.0});
+    const auto planes_beside = [&](double beside) {
+      const glm::dvec3 from = light.centre + (1.0 + beside) * corner;
+      const auto wedges =
+          linear_wedges(light, {from + way, from + 1.5 * way, third},
+                        {glm::dvec4(0.0, 1.0, 0.0, 9.0)}, {glm::dvec3(-50.0), glm::dvec3(50.0)});
+      return wedges.size() < 3 ? std::vector<glm::dvec4>() : wedges.front().volume.planes;
+    };
+    const auto through = planes_beside(0.0);
+    const auto beside = planes_beside(1e-8);
+    if (through.empty() || beside.empty()) continue;
+    for (const std::size_t k : {0U, 1U}) {
+      ASSERT_LT(glm::distance(glm::dvec3(through[k]), glm::dvec3(beside[k])), 1e-5)
+          << "case " << i << ", plane " << k;
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 100);
+}
+
 // No plane through an edge whose line meets the light touches it.
 TEST(LinearWedge, EdgesThatPointIntoTheLightAreLeftOut) {
   Light light;
