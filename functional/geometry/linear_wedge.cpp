@@ -27,8 +27,6 @@ constexpr double kLeastReach = 0.01;
 // say which side the edge is on.
 constexpr double kInPlane = 1e-9;
 constexpr double kLineRounding = 0x1p-50;
-// A corner this many times as far from the light as one next to it is far.
-constexpr double kFar = 16.0;
 // Between a front and a back plane that face one another at less than this angle there is nothing.
 constexpr double kFlat = 0x1p-50;
 // How far a wedge whose sides diverge may go, in diagonals of all that receives.
@@ -152,7 +150,7 @@ Line meeting(const CornerEdges& edges, std::size_t i, const EndPlane& end_plane,
   line.way = glm::cross(a, b);
   line.sine = glm::length(line.way);
   by_ray = true;
-  if (line.sine < 1e-6) return ray;
+  if (line.sine < kLeastMeetingSine) return ray;
   line.way /= line.sine;
   // The point nearest to the centre, made from where the planes touch the light: however far the
   // edges go, it has the light's digits.
@@ -180,7 +178,7 @@ Corner corner_between(const CornerEdges& edges, const glm::dvec3& light_centre,
   const double light_size =
       std::max({glm::length(ending.touch[0]), glm::length(ending.touch[1]),
                 glm::length(starting.touch[0]), glm::length(starting.touch[1])});
-  if (!(apart > 1e-9 * light_size)) {
+  if (!(apart > kOneLine * light_size)) {
     corner.decided.side = SideNormal::of_quads;
     // This way round: seen from a sharp corner its edges are nearly in this plane, their side
     // mostly rounding.
@@ -208,9 +206,8 @@ Corner corner_between(const CornerEdges& edges, const glm::dvec3& light_centre,
     }
     if (inward < 0.0) normal = -normal;
   }
-  // Of a vertex much farther from the light than its neighbours, near the light.
   const double nearer = std::min(glm::length(ending_begin), glm::length(starting_end));
-  if (glm::length(at) <= kFar * nearer) through = at;
+  if (glm::length(at) <= kFarVertex * nearer) through = at;
   corner.side = glm::dvec4(normal, -glm::dot(normal, light_centre + through));
   const glm::dvec3 across = ending.normal + starting.normal;
   corner.direction = across - glm::dot(across, normal) * normal;

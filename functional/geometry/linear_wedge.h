@@ -19,6 +19,13 @@ enum class SideSign { of_ending, of_starting, of_both };
 
 /// A corner of a rectangle this near to an edge's line, of its way from the centre, is on it.
 inline constexpr double kOnLine = 1e-10;
+/// Front planes, or back planes, of neighbours at an angle of less than this sine meet in no line.
+inline constexpr double kLeastMeetingSine = 1e-6;
+/// Two lines of meeting nearer to one another than this part of the light's size are one.
+inline constexpr double kOneLine = 1e-9;
+/// A vertex more than this many times as far from the light as a neighbour has its side plane go
+/// through a point near the light, not through itself.
+inline constexpr double kFarVertex = 16.0;
 
 /// What is decided by comparing at the corner where an edge begins. Geometry follows from it.
 struct LinearCorner {

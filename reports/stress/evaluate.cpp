@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "reports/stress/exact_plane.h"
 #include "reports/stress/light_rounding.h"
@@ -34,11 +35,8 @@ struct Pixel {
 class Walk {
  public:
   Walk(const traces::TraceView& trace, model::ZMethod method, const model::Datapath& datapath)
-      : trace_(trace),
-        method_(method),
-        datapath_(datapath),
-        operands_(trace, datapath_),
-        linear_rounding_(trace) {
+      : trace_(trace), method_(method), datapath_(datapath), operands_(trace, datapath_) {
+    if (datapath.kind == model::DatapathKind::exact) linear_rounding_.emplace(trace);
     const auto width = static_cast<std::size_t>(trace.header.width);
     for (std::size_t i = 0; i < trace.depth.size(); ++i) {
       pixels_.push_back({i, static_cast<int>(i % width), static_cast<int>(i / width),
@@ -156,14 +154,14 @@ class Walk {
   }
 
   double rounding_of(const Primitive& wedge) const {
-    if (datapath_.kind != model::DatapathKind::exact || !wedge.wedge) return 0.0;
+    if (!linear_rounding_ || !wedge.wedge) return 0.0;
     double worst = 0.0;
     for (const Pixel& p : pixels_) {
       if (!wedge.faces_cover(p.x, p.y) || p.z < wedge.z.min || p.z > wedge.z.max) continue;
       const double x = p.centre_x(), y = p.centre_y();
       worst = std::max(worst, wedge.coverage ? light_rounding(trace_, trace_.wedges[*wedge.wedge],
                                                               x, y, p.window_z)
-                                             : linear_rounding_(*wedge.wedge, x, y, p.window_z));
+                                             : (*linear_rounding_)(*wedge.wedge, x, y, p.window_z));
     }
     return worst;
   }
@@ -211,7 +209,7 @@ class Walk {
   model::ZMethod method_;
   model::Datapath datapath_;
   model::Operands operands_;
-  LinearRounding linear_rounding_;
+  std::optional<LinearRounding> linear_rounding_;  // of the exact datapath
   std::vector<Pixel> pixels_;
   Evaluation result_;
 };

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "functional/geometry/linear_wedge.h"
 #include "functional/raster/exact_cross.h"
 
 namespace wedgesim::reports::stress {
@@ -39,10 +40,35 @@ glm::dvec4 world_plane(const traces::TraceView& trace, const traces::fb::Wedge& 
   return world;
 }
 
-// The sine of the angle between two planes, and the way in which they meet.
-glm::dvec3 meeting(const glm::dvec4& a, const glm::dvec4& b) {
-  return functional::exact_cross(functional::Difference(glm::normalize(glm::dvec3(a))),
-                                 functional::Difference(glm::normalize(glm::dvec3(b))));
+// The point of the light, from its centre, that a plane touches.
+glm::dvec3 touch(const traces::Light& light, const glm::dvec4& plane) {
+  const glm::dvec3 normal(plane);
+  if (light.shape != traces::fb::LightShape_rectangle) {
+    return -plane.w / glm::dot(normal, normal) * normal;
+  }
+  const glm::dvec3 u = vec(light.half_u), v = vec(light.half_v);
+  const auto off = [&](const glm::dvec3& p) { return std::fabs(glm::dot(normal, p) + plane.w); };
+  return std::ranges::min({-u - v, u - v, u + v, v - u}, {}, off);
+}
+
+// Where two front, or two back planes of neighbours meet: the point of that line nearest to the
+// light's centre, from there, and how far off it may be. Planes that are all but one have a ray
+// from between the points that they touch.
+struct Meeting {
+  glm::dvec3 point;
+  double error = 0.0;
+};
+Meeting meeting(const glm::dvec3& a, const glm::dvec3& touch_a, const glm::dvec3& b,
+                const glm::dvec3& touch_b, double turn) {
+  const double size = glm::length(touch_a) + glm::length(touch_b);
+  const glm::dvec3 way =
+      functional::exact_cross(functional::Difference(a), functional::Difference(b));
+  const double sine = glm::length(way);
+  if (sine < functional::kLeastMeetingSine) return {0.5 * (touch_a + touch_b), kUnit * size};
+  const glm::dvec3 point =
+      (glm::dot(a, touch_a) * glm::cross(b, way) + glm::dot(b, touch_b) * glm::cross(way, a)) /
+      (sine * sine);
+  return {point, (turn + kUnit) * (size + glm::length(point)) / sine};
 }
 
 glm::dvec3 common_point(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c) {
@@ -58,7 +84,10 @@ double known(double value) {
 }  // namespace
 
 LinearRounding::LinearRounding(const traces::TraceView& trace)
-    : trace_(trace), losses_(trace.wedges.size()), lost_(trace.wedges.size()) {
+    : trace_(trace),
+      ends_(trace.wedges.size()),
+      losses_(trace.wedges.size()),
+      lost_(trace.wedges.size()) {
   const std::vector<Corner> all = corners();
   lose_edges(all);
   for (const Corner& corner : all) lose_sides(corner);
@@ -87,37 +116,55 @@ std::vector<LinearRounding::Corner> LinearRounding::corners() const {
   return corners;
 }
 
-// The normals of front and back plane are products of the ways to the edge's ends, or nearly so.
+// The normals of front and back plane are products of the ways to the edge's ends from a point of
+// the light, which is known to its own rounding; they go through that point.
 void LinearRounding::lose_edges(const std::vector<Corner>& corners) {
-  std::vector<std::array<glm::dvec3, 2>> ends(losses_.size());  // from the light's centre
   for (const auto& [w, next] : corners) {
     const auto plane = [&](Side side) { return world_plane(trace_, trace_.wedges[w], side); };
     const glm::dvec3 vertex = common_point(plane(kFront), plane(kBack), plane(kRight));
-    ends[w][1] = ends[next][0] = vertex;
-    losses_[w][kRight].distance = losses_[next][kLeft].distance = known(glm::length(vertex));
+    ends_[w][1] = ends_[next][0] = vertex;
   }
-  for (std::size_t w = 0; w < losses_.size(); ++w) {
-    Losses& loss = losses_[w];
-    const auto& [begin, end] = ends[w];
+  for (std::uint32_t w = 0; w < losses_.size(); ++w) {
+    const auto& [begin, end] = ends_[w];
     const double product = glm::length(begin) * glm::length(end);
     const double turn = known(kUnit * product / glm::length(glm::cross(begin, end)));
-    const double farther = std::max(loss[kLeft].distance, loss[kRight].distance);
-    loss[kFront] = loss[kBack] = {std::min(1.0, turn), farther};
+    for (const Side side : {kFront, kBack}) {
+      const glm::dvec3 from = touched(w, side);
+      const double off_line =
+          glm::length(glm::cross(begin - from, end - from)) / glm::distance(begin, end);
+      const double moved = known(kUnit * glm::length(from) / off_line);
+      losses_[w][side] = {std::min(1.0, turn + moved), glm::length(from)};
+    }
   }
 }
 
 void LinearRounding::lose_sides(const Corner& corner) {
   const auto& [w, next] = corner;
   const auto line = [&](Side side) {
-    return meeting(world_plane(trace_, trace_.wedges[w], side),
-                   world_plane(trace_, trace_.wedges[next], side));
+    const auto normal = [&](std::uint32_t wedge) {
+      return glm::normalize(glm::dvec3(world_plane(trace_, trace_.wedges[wedge], side)));
+    };
+    return meeting(normal(w), touched(w, side), normal(next), touched(next, side),
+                   losses_[w][side].turn + losses_[next][side].turn);
   };
-  const glm::dvec3 front = line(kFront), back = line(kBack);
-  const double at_front = glm::length(front), at_back = glm::length(back);
-  const double between = glm::length(glm::cross(front / at_front, back / at_back));
-  const auto turned = [&](Side side) { return losses_[w][side].turn + losses_[next][side].turn; };
-  const double turn = known((turned(kFront) / at_front + turned(kBack) / at_back) / between);
-  losses_[w][kRight].turn = losses_[next][kLeft].turn = std::min(1.0, turn);
+  const Meeting front = line(kFront), back = line(kBack);
+  const glm::dvec3& vertex = ends_[w][1];
+  const glm::dvec3 ray = vertex - front.point;
+  const double apart = glm::length(glm::cross(ray, back.point - front.point)) / glm::length(ray);
+  const double size = std::max(glm::length(touched(w, kFront)), glm::length(touched(w, kBack)));
+  // Of a plane made otherwise, by the quads, nothing is in a trace.
+  const double turn =
+      apart > functional::kOneLine * size ? kUnit + (front.error + back.error) / apart : 1.0;
+  const double nearer = std::min(glm::length(ends_[w][0]), glm::length(ends_[next][1]));
+  const bool far = glm::length(vertex) > functional::kFarVertex * nearer;
+  losses_[w][kRight] = losses_[next][kLeft] = {std::min(1.0, known(turn)),
+                                               known(glm::length(far ? front.point : vertex))};
+}
+
+glm::dvec3 LinearRounding::touched(std::uint32_t wedge, std::size_t side) const {
+  const traces::fb::Wedge& record = trace_.wedges[wedge];
+  return touch(trace_.header.lights[record.light()],
+               world_plane(trace_, record, static_cast<Side>(side)));
 }
 
 double LinearRounding::operator()(std::uint32_t wedge, double x, double y, double z) const {

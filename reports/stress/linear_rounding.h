@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "traces/trace.h"
@@ -9,10 +10,10 @@
 namespace wedgesim::reports::stress {
 
 /// How far the rounding of the planes of `linear` wedges, made in double precision, may move what a
-/// wedge gives at a pixel. A front or back plane comes from the edge and a ray along it, a side
-/// plane from the lines in which the front and the back planes of neighbours meet: where those are
-/// nearly parallel, or a vertex is far away, little of a plane is left at the receiver. A bound to
-/// first order, from the trace's planes alone.
+/// wedge gives at a pixel. A front or back plane comes from the edge and a point of the light, a
+/// side plane from the lines in which the front and the back planes of neighbours meet: where
+/// planes are nearly one, or their lines are, little of a plane is left at the receiver. A bound to
+/// first order, from the trace's planes and its light alone.
 class LinearRounding {
  public:
   explicit LinearRounding(const traces::TraceView& trace);
@@ -24,7 +25,7 @@ class LinearRounding {
   double operator()(std::uint32_t wedge, double x, double y, double z) const;
 
  private:
-  // A plane's normal may be turned by `turn`, about a vertex at `distance` from the light.
+  // A plane's normal may be turned by `turn`, about a point at `distance` from the light.
   struct Loss {
     double turn = 0.0, distance = 0.0;
   };
@@ -33,9 +34,11 @@ class LinearRounding {
   std::vector<Corner> corners() const;
   void lose_edges(const std::vector<Corner>& corners);
   void lose_sides(const Corner& corner);
+  glm::dvec3 touched(std::uint32_t wedge, std::size_t side) const;
 
   const traces::TraceView& trace_;
-  std::vector<Losses> losses_;  // of each wedge
+  std::vector<std::array<glm::dvec3, 2>> ends_;  // of each wedge's edge, from the light's centre
+  std::vector<Losses> losses_;                   // of each wedge
   // Wedges with a side that may be anywhere, and their neighbours, which may be in their place.
   std::vector<bool> lost_;
 };
