@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "functional/geometry/linear_corner.h"
 #include "functional/geometry/polyhedron.h"
 #include "functional/raster/exact_cross.h"
 #include "functional/scene/across.h"
@@ -18,41 +19,30 @@ constexpr double kPointsAtLight = 1e-3;
 // The direction of an edge that is shorter than this share of its way from the light's centre is
 // rounding, more than the edge's shadow is long.
 constexpr double kShortest = 1e-10;
-// Side directions this far from the way of the light are replaced by a simpler construction.
-constexpr double kLeastForward = 0.2;
-// So are those that reach the end plane this many times farther away than a ray of the penumbra,
-// or never: its inverse.
-constexpr double kLeastReach = 0.01;
-// A side plane at an edge under less than this, or than the rounding of its own normal, does not
-// say which side the edge is on.
-constexpr double kInPlane = 1e-9;
-constexpr double kLineRounding = 0x1p-50;
 // Between a front and a back plane that face one another at less than this angle there is nothing.
 constexpr double kFlat = 0x1p-50;
 // How far a wedge whose sides diverge may go, in diagonals of all that receives.
 constexpr double kLidRadius = 4.0;
 
-// Of an edge: its front plane, then its back plane.
-struct EdgePlanes {
-  glm::dvec3 normal;                     // of the shadow quad, unit, into the shadow
-  std::array<std::size_t, 2> touched{};  // of light_corners
-  std::array<glm::dvec3, 2> touch;       // points of the light, relative to its centre
-  std::array<glm::dvec4, 2> planes;      // unit normals, into the wedge
-};
+// Corners relative to the light's centre.
+std::vector<glm::dvec3> corners_about_centre(Light light) {
+  light.centre = glm::dvec3(0.0);
+  return light_corners(light);
+}
 
 // The corner of a rectangle whose plane through the edge leaves the others on one side: the best of
 // the four. Where the edge's line goes through a corner, the plane has the next one, too.
-std::size_t touched_corner(const Light& light, const glm::dvec3& edge_begin,
+// Places are relative to the light's centre.
+std::size_t touched_corner(const std::vector<glm::dvec3>& corners, const glm::dvec3& edge_begin,
                            const glm::dvec3& edge_end, double sign) {
-  const std::vector<glm::dvec3> corners = light_corners(light);
   std::size_t best = 0;
   double best_beyond = 1e300;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec3& corner = corners[i];
-    const glm::dvec3 n = sign * glm::cross(edge_end - corner, edge_begin - corner);
+    const glm::dvec3 n = sign * exact_cross({edge_end, corner}, {edge_begin, corner});
     const double length = glm::length(n);
     const double from_line = length / glm::distance(edge_begin, edge_end);
-    if (!(from_line > kOnLine * glm::distance(corner, light.centre))) continue;
+    if (!(from_line > kOnLine * glm::length(corner))) continue;
     double beyond = -1e300;
     for (const glm::dvec3& other : corners) {
       beyond = std::max(beyond, glm::dot(n / length, other - corner));
@@ -71,10 +61,9 @@ EdgePlanes edge_planes(const Light& light, const glm::dvec3& begin, const glm::d
   for (std::size_t i = 0; i < 2; ++i) {
     const double sign = i == 0 ? 1.0 : -1.0;
     if (light.shape == LightShape::rectangle) {
-      planes.touched[i] = touched_corner(light, begin, end, sign);
-      Light about_centre = light;
-      about_centre.centre = glm::dvec3(0.0);
-      planes.touch[i] = light_corners(about_centre)[planes.touched[i]];
+      const std::vector<glm::dvec3> corners = corners_about_centre(light);
+      planes.touched[i] = touched_corner(corners, begin - light.centre, end - light.centre, sign);
+      planes.touch[i] = corners[planes.touched[i]];
     } else {
       planes.touch[i] = sign * light.radius * planes.normal;
     }
@@ -113,109 +102,6 @@ bool has_no_planes(const Light& light, const glm::dvec3& begin, const glm::dvec3
   return edge <= kShortest * nearer ||
          glm::length(glm::cross(a, b)) < kPointsAtLight * edge * nearer ||
          meets_light(light, begin, (end - begin) / edge);
-}
-
-// A line that leads away from the light.
-struct Line {
-  glm::dvec3 from;    // a point near the light, relative to its centre
-  glm::dvec3 way;     // unit
-  double sine = 1.0;  // of the angle between the planes that meet in it
-};
-
-// One corner of the loop: the directions in which the front and back planes of its two edges meet,
-// and the side plane through both, with the edge that ends here on its positive side.
-struct Corner {
-  LinearCorner decided;
-  glm::dvec3 front;  // direction
-  glm::dvec4 side;
-  glm::dvec3 direction;  // in the side plane, across the penumbra (Paper I, 4.1)
-};
-
-// The edges at a corner, and where they are.
-struct CornerEdges {
-  const EdgePlanes& ending;
-  const EdgePlanes& starting;
-  glm::dvec3 at;  // from the light's centre, as the others
-  glm::dvec3 ending_begin, starting_end;
-  glm::dvec3 away() const { return glm::normalize(at); }
-};
-
-// The line in which two front (0) or back planes (1) meet, or a ray of the penumbra, which does
-// reach the end plane, where that line hardly does or hardly leads away from the light (`by_ray`).
-Line meeting(const CornerEdges& edges, std::size_t i, const EndPlane& end_plane, bool& by_ray) {
-  const glm::dvec3 middle = 0.5 * (edges.ending.touch[i] + edges.starting.touch[i]);
-  const Line ray{middle, glm::normalize(edges.at - middle)};
-  const glm::dvec3 a(edges.ending.planes[i]), b(edges.starting.planes[i]);
-  Line line;
-  line.way = glm::cross(a, b);
-  line.sine = glm::length(line.way);
-  by_ray = true;
-  if (line.sine < kLeastMeetingSine) return ray;
-  line.way /= line.sine;
-  // The point nearest to the centre, made from where the planes touch the light: however far the
-  // edges go, it has the light's digits.
-  line.from = (glm::dot(a, edges.ending.touch[i]) * glm::cross(b, line.way) +
-               glm::dot(b, edges.starting.touch[i]) * glm::cross(line.way, a)) /
-              line.sine;
-  if (glm::dot(line.way, edges.at) < 0.0) line.way = -line.way;
-  const glm::dvec3 down = -glm::dvec3(end_plane.plane);
-  by_ray = glm::dot(line.way, edges.away()) < kLeastForward ||
-           glm::dot(line.way, down) < kLeastReach * glm::dot(ray.way, down);
-  return by_ray ? ray : line;
-}
-
-Corner corner_between(const CornerEdges& edges, const glm::dvec3& light_centre,
-                      const EndPlane& end_plane) {
-  Corner corner;
-  const auto& [ending, starting, at, ending_begin, starting_end] = edges;
-  const glm::dvec3 away = edges.away();
-  const Line front = meeting(edges, 0, end_plane, corner.decided.by_ray[0]);
-  const Line back = meeting(edges, 1, end_plane, corner.decided.by_ray[1]);
-  corner.front = front.way;
-  glm::dvec3 through = front.from;
-  glm::dvec3 normal = exact_cross({at, front.from}, {back.from, front.from});
-  const double apart = glm::length(normal) / glm::distance(at, front.from);
-  const double light_size =
-      std::max({glm::length(ending.touch[0]), glm::length(ending.touch[1]),
-                glm::length(starting.touch[0]), glm::length(starting.touch[1])});
-  if (!(apart > kOneLine * light_size)) {
-    corner.decided.side = SideNormal::of_quads;
-    // This way round: seen from a sharp corner its edges are nearly in this plane, their side
-    // mostly rounding.
-    through = glm::dvec3(0.0);
-    normal = glm::cross(ending.normal + starting.normal, away);
-    if (glm::length(normal) < 1e-9) {  // the loop turns back along the edge
-      corner.decided.side = SideNormal::along_edge;
-      normal = ending_begin - at;
-      normal -= glm::dot(normal, away) * away;
-    }
-  }
-  normal = glm::normalize(normal);
-  if (corner.decided.side == SideNormal::of_lines) {
-    const double rounding = kLineRounding * light_size / (std::min(front.sine, back.sine) * apart);
-    const double least = std::max(kInPlane, rounding);
-    const double to_ending = glm::dot(normal, glm::normalize(ending_begin - at));
-    const double to_starting = glm::dot(normal, glm::normalize(starting_end - at));
-    double inward = to_ending;
-    if (std::abs(to_ending) < least) {
-      corner.decided.sign =
-          std::abs(to_starting) < least ? SideSign::of_both : SideSign::of_starting;
-      inward = corner.decided.sign == SideSign::of_both
-                   ? glm::dot(normal, ending_begin - starting_end)
-                   : -to_starting;
-    }
-    if (inward < 0.0) normal = -normal;
-  }
-  const double nearer = std::min(glm::length(ending_begin), glm::length(starting_end));
-  if (glm::length(at) <= kFarVertex * nearer) through = at;
-  corner.side = glm::dvec4(normal, -glm::dot(normal, light_centre + through));
-  const glm::dvec3 across = ending.normal + starting.normal;
-  corner.direction = across - glm::dot(across, normal) * normal;
-  const double length = glm::length(corner.direction);
-  corner.decided.across_way = !(length > 1e-9);
-  corner.direction = corner.decided.across_way ? glm::normalize(glm::cross(normal, away))
-                                               : corner.direction / length;
-  return corner;
 }
 
 // Three planes that close the space above the end plane around a sphere: with it they are a
@@ -275,7 +161,7 @@ std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec
   for (std::size_t i = 0; i < n; ++i) {
     planes.push_back(edge_planes(light, loop[i], loop[(i + 1) % n]));
   }
-  std::vector<Corner> corners;  // at the begin of edge i
+  std::vector<CornerPlanes> corners;  // at the begin of edge i
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t before = (i + n - 1) % n;
     corners.push_back(
@@ -289,8 +175,8 @@ std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec
   const Bounds box{centre - 8.0 * radius, centre + 8.0 * radius};  // holds the tetrahedron
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n;
-    const Corner& left = corners[i];
-    const Corner& right = corners[next];
+    const CornerPlanes& left = corners[i];
+    const CornerPlanes& right = corners[next];
     LinearWedge wedge;
     wedge.begin = loop[i];
     wedge.end = loop[next];

@@ -10,17 +10,21 @@
 namespace wedgesim::functional {
 
 /// Which normal a side plane has: of the lines, or rays, in which the front and the back planes of
-/// two edges meet; where these are one, of the light's way and the middle of the quads' normals;
-/// where a loop turns back along its edge, along that edge and across the light's way.
+/// two edges meet; where these are one (kOneLine), of the light's way and the middle of the quads'
+/// normals; where a loop turns back along its edge, along that edge and across the light's way.
 enum class SideNormal { of_lines, of_quads, along_edge };
-/// Which edge says which side of a side plane is whose: the one that ends at the corner; where that
-/// is in the plane, the one that starts there; where both are, the way from one to the other.
-enum class SideSign { of_ending, of_starting, of_both };
+/// What says which side of a side plane of_lines is whose: the edge that ends at the corner; where
+/// that is in the plane, the one that starts there; where both are, the turn from one's direction
+/// to the other's; where that is rounding, the middle of the quads' normals; where that is, too,
+/// nothing does, and kAnyWay stands for it.
+enum class SideSign { of_ending, of_starting, of_turn, of_quads, of_any_way };
 
 /// A corner of a rectangle this near to an edge's line, of its way from the centre, is on it.
 inline constexpr double kOnLine = 1e-10;
 /// Front planes, or back planes, of neighbours at an angle of less than this sine meet in no line.
 inline constexpr double kLeastMeetingSine = 1e-6;
+/// Along no axis and in no plane that scenes are likely to have.
+inline constexpr glm::dvec3 kAnyWay{0.7351, 0.5247, 0.4292};
 /// Two lines of meeting nearer to one another than this part of the light's size are one.
 inline constexpr double kOneLine = 1e-9;
 /// A vertex more than this many times as far from the light as a neighbour has its side plane go

@@ -45,14 +45,21 @@ std::array<RealVector, 4> rectangle_corners(const Light& light) {
 
 // The corner whose plane through an edge has the whole light on the lit side (`sign` 1) or on the
 // other; if there is none, because the edge's line meets the light after all, the decided one.
+// A corner on the line is in every plane.
 RealVector touched_corner(const std::array<RealVector, 4>& corners, const RealVector& begin,
                           const RealVector& end, int sign, std::size_t decided) {
+  const auto normal_by = [&](const RealVector& corner) {
+    return cross(end - begin, begin - corner);
+  };
+  const auto is_on_line = [&](const RealVector& corner) {
+    const double from_line = length_of(normal_by(corner)) / length_of(end - begin);
+    return !(from_line > kOnLine * length_of(corner));
+  };
   for (const RealVector& corner : corners) {
-    const RealVector normal = cross(end - begin, begin - corner);
-    const double from_line = length_of(normal) / length_of(end - begin);
-    if (!(from_line > kOnLine * length_of(corner))) continue;
+    if (is_on_line(corner)) continue;
+    const RealVector normal = normal_by(corner);
     const bool touches = std::ranges::all_of(corners, [&](const RealVector& other) {
-      return Real(sign * dot(normal, other - corner)) <= 0;
+      return is_on_line(other) || Real(sign * dot(normal, other - corner)) <= 0;
     });
     if (touches) return corner;
   }
@@ -156,11 +163,21 @@ JudgedLoop::Corner JudgedLoop::make_corner(const Edge& ending, const Edge& start
     case SideSign::of_starting:
       corner.side = turned_to(corner.side, at - starting.end);
       break;
-    case SideSign::of_both:
-      corner.side = turned_to(corner.side, ending.begin - starting.end);
+    case SideSign::of_turn:
+      corner.side = turned_to(corner.side, unit(ending.begin - at) - unit(starting.end - at));
+      break;
+    case SideSign::of_quads:
+      corner.side = turned_to(corner.side, cross(quads, away.way));
+      break;
+    case SideSign::of_any_way:
+      corner.side = turned_to(corner.side, RealVector(kAnyWay));
       break;
   }
-  corner.across = decided.across_way ? across(corner.side, away) : part_across(quads, corner.side);
+  // Of opposite normals the middle is across their difference; which way does not matter.
+  const RealVector difference = ending.quad.way - starting.quad.way;
+  const RealVector middle =
+      length_of(quads) > length_of(difference) ? quads : cross(away.way, difference);
+  corner.across = decided.across_way ? across(corner.side, away) : part_across(middle, corner.side);
   return corner;
 }
 

@@ -135,7 +135,7 @@ class Flagging {
            "too many contributions are rounded at a pixel");
   }
 
-  // Twice the sensitivity could hide in two differences: the whole one is asked, too.
+  // Each difference may be as large as the sensitivity: both together are asked, too.
   void add_differing() {
     const auto sensitivity = [&](std::size_t i) {
       return trace_.li_sensitivity.empty() ? 0.0 : static_cast<double>(trace_.li_sensitivity[i]);

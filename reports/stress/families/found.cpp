@@ -12,8 +12,8 @@ namespace wedgesim::reports::stress {
 namespace {
 
 // What random_search_test.cpp found and made simple, each once wrong for the reason above it. Their
-// order never changes: a frame is called by its place.
-constexpr std::array<std::string_view, 37> kFound{
+// order never changes, new ones are last: a frame is called by its place.
+constexpr std::array<std::string_view, 48> kFound{
     // The eye in a wedge much wider than the view: the wedge's interval of depth ended at its
     // faces.
     "light_size=4 floor_tilt_x=3 view=-6 first.size=-6",
@@ -64,7 +64,8 @@ constexpr std::array<std::string_view, 37> kFound{
     // Lines of meeting 2^-25 apart: which side of the side plane an edge is on was their rounding.
     "kind=1 light=1 first.shape=2 first.thick=-25 first.x=-1 first.z=-3 first.move=2 "
     "first.move_b=7",
-    // A vertex 2^20 to 2^28 away: the side plane there was what rounding left of it, near the light.
+    // A vertex 2^20 to 2^28 away: the side plane there was what rounding left of it, near the
+    // light.
     "kind=1 light=1 first.move=5 first.move_a=3 first.move_by=56 first.then=1 first.then_a=5 "
     "first.then_by=48",
     "kind=1 first.pyramid=1 first.z=-2 first.z1=-7 first.x2=-2 first.z3=-2 first.move=5 "
@@ -79,10 +80,35 @@ constexpr std::array<std::string_view, 37> kFound{
     "first.then_by=58",
     // An edge whose line goes through a corner of the light: the plane through both was any.
     "kind=1 turn=6 first.shape=2 first.x=-8 first.z=-4",
+    // Corners so sharp, seen from the light, that both edges are in the side plane between them:
+    // which is on which side was rounding.
+    "kind=1 light=1 first.shape=3 first.thick=-26 first.z=-4 first.move_a=2 first.move_b=1 "
+    "first.then=2 first.then_b=6 first.then_by=6",
+    "kind=1 light=1 view=-6 first.shape=4 first.x=-5 first.move=2 first.move_a=6 first.move_b=2 "
+    "first.move_by=29 first.then_a=7 first.then_b=3",
+    "kind=1 light=1 first.shape=5 first.thick=-24 first.x=-8 first.z=-2 first.turn=7 "
+    "first.move_b=3 first.move_by=-53 first.then=2 first.then_a=7 first.then_by=-53",
+    // Loops that turn back where their quads are in one plane: no edge is on a side of it.
+    "kind=1 close_up=1 first.shape=1 first.x1=3 first.move=3 first.move_a=5 first.move_by=41 "
+    "first.then_a=4",
+    "kind=1 first.shape=3 first.x=-2 first.z=4 first.z2=-8 first.move=4 first.move_a=4 "
+    "first.move_by=29 first.then_b=5",
+    "kind=1 close_up=1 first.shape=2 first.thick=-25 first.move_a=2 first.move_b=5 "
+    "first.move_by=60 first.then=2 first.then_a=5 first.then_b=1",
+    "kind=1 close_up=1 first.shape=1 first.move=3 first.move_a=5 first.move_b=7 "
+    "first.move_by=34 first.then_a=1 first.then_b=1 first.then_by=-16",
+    "kind=1 close_up=1 first.shape=3 first.z=-4 first.move=1 first.move_b=4 first.move_by=49",
+    "kind=1 first.shape=3 first.pyramid=1 first.move=3 first.move_b=4 first.move_by=42 "
+    "first.then_a=5",
+    "kind=1 first.shape=1 first.x=4 first.move=3 first.move_a=5 first.move_b=7 "
+    "first.move_by=26 first.then_a=1 first.then_b=2 first.then_by=-20",
+    // The middle of two all but opposite normals: it was their sum, of which little is left.
+    "kind=1 light=1 first.shape=3 first.pyramid=1 first.z=-4 first.turn=5 first.move=4 "
+    "first.move_b=5 first.move_by=26 first.then_a=6 first.then_b=4",
 };
 
-// What can only be flagged; each was once wrong without.
-constexpr std::array<std::string_view, 18> kFlagged{
+// What can only be flagged; each was once wrong without. One that is mended moves up.
+constexpr std::array<std::string_view, 20> kFlagged{
     // A caster 2^-19 as large as the light, two of its corners 2^-18 of that apart.
     "light=1 first.size=-19 first.turn=4 first.z0=2 first.x1=5 first.then=5 first.then_by=18",
     // The eye in a quad's plane, pixel centres on the line that it is seen as.
@@ -122,6 +148,11 @@ constexpr std::array<std::string_view, 18> kFlagged{
     "format=3 light=6 eye_distance=12 near=27 up=1",
     "kind=1 format=3 light_roll=-4 grid=9 floor_tilt_x=3 eye_x=-4 eye_z=-6 eye_distance=16 near=26 "
     "far=16 target_x=-7 first.shape=5 first.depth=8",
+    // Corners so sharp, seen from the light, that little of the side plane between is left.
+    "kind=1 light=1 first.shape=4 first.pyramid=1 first.x=8 first.z=-4 first.move=2 "
+    "first.move_a=5 first.move_b=6 first.move_by=27 first.then_b=5 first.then_by=-54",
+    "kind=1 light=1 turn=4 first.shape=4 first.thick=-20 first.turn=3 first.z2=1 first.move_a=3 "
+    "first.move_by=14 first.then=2 first.then_a=7 first.then_b=1 first.then_by=27",
 };
 
 Case case_at(std::span<const std::string_view> cases, double index) {
@@ -150,7 +181,9 @@ std::vector<Family> found_families() {
        found,
        false,
        1.0,
-       {{19.0, 22.0}, "its light or its caster is so small that no pixel centre is in a penumbra"}},
+       {{6.0, 19.0, 22.0},
+        "its light or its caster is so small that no pixel centre is in a penumbra, or its depth "
+        "so coarse that all there are sensitive"}},
       {"found-flagged",
        "number of a frame that the random search found, which can only be flagged",
        "",

@@ -310,10 +310,11 @@ TEST_P(LinearWedgeOfLight, SidePlanesOfFarVertices) {
     if (wedges.size() != 3) continue;  // an edge points at the light
     const auto& ending = wedges[1].volume.planes;
     const auto& starting = wedges[2].volume.planes;
-    const double own = value(ending[3], b), others = value(starting[2], a);
+    const double own = value(ending[3], b) / glm::distance(b, far);
+    const double others = value(starting[2], a) / glm::distance(a, far);
     const SideSign sign = wedges[2].corner.sign;
     ASSERT_GT(
-        sign == SideSign::of_both ? own + others : (sign == SideSign::of_ending ? own : others),
+        sign == SideSign::of_turn ? own + others : (sign == SideSign::of_ending ? own : others),
         0.0)
         << "case " << i;
     if (wedges[2].corner.side != SideNormal::of_lines) continue;

@@ -43,7 +43,7 @@ TEST(LinearRounding, IsNextToNothingInHarmlessFrames) {
   }
 }
 
-// Of `linear` wedges: planes that are all but one, lines all but parallel.
+// Of `linear` wedges: lines in which planes meet that are all but one.
 TEST(LinearRounding, SeesWhatPlanesHaveLost) {
   for (int i = 11; i <= 13; ++i) {
     const std::string name = "found-flagged,0," + std::to_string(i);
