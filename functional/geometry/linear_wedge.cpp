@@ -21,8 +21,15 @@ constexpr double kPointsAtLight = 1e-3;
 constexpr double kShortest = 1e-10;
 // Between a front and a back plane that face one another at less than this angle there is nothing.
 constexpr double kFlat = 0x1p-50;
+// Of a wedge, as thin near its edge as its light is small: parts of the light.
+constexpr double kAccuracy = 1e-9;
 // How far a wedge whose sides diverge may go, in diagonals of all that receives.
 constexpr double kLidRadius = 4.0;
+
+double least_half_size(const Light& light) {
+  if (light.shape != LightShape::rectangle) return light.radius;
+  return std::min(glm::length(light.half_u), glm::length(light.half_v));
+}
 
 // Corners relative to the light's centre.
 std::vector<glm::dvec3> corners_about_centre(Light light) {
@@ -187,7 +194,7 @@ std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec
     const auto& [front, back] = planes[i].planes;
     const std::array<glm::dvec4, 8> sides{front,           back,   -left.side, right.side,
                                           end_plane.plane, lid[0], lid[1],     lid[2]};
-    wedge.volume = intersect_half_spaces(sides, box);
+    wedge.volume = intersect_half_spaces(sides, box, kAccuracy * least_half_size(light));
     drop_unused(wedge.volume, kLinearPlanes);
     if (face_to_face(planes[i])) wedge.volume.faces.clear();
     wedge.umbra = {wedge.end, wedge.begin, end_plane.reach(loop[i] - left.front, loop[i]),
