@@ -14,6 +14,17 @@ namespace {
 // Twice the digits of a double, at two to three times the time.
 __extension__ using Quad = __float128;
 
+// How far vertices are moved by rounding, in parts of the way to the box's farthest corner.
+template <typename Real>
+constexpr double kRounding = 0x1p-48;
+template <>
+constexpr double kRounding<Quad> = 0x1p-108;
+
+double reach_of(const Bounds& box) {
+  const glm::dvec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
+  return std::max({farthest.x, farthest.y, farthest.z});
+}
+
 struct Facet {
   glm::dvec4 plane;
   std::vector<std::uint32_t> corners;  // counter-clockwise seen from outside
@@ -23,7 +34,7 @@ struct Facet {
 template <typename Real>
 class Solid {
  public:
-  explicit Solid(const Bounds& box) {
+  explicit Solid(const Bounds& box) : rounding_(kRounding<Real> * reach_of(box)) {
     for (int i = 0; i < 8; ++i) {
       vertices_.push_back({(i & 1) != 0 ? box.high.x : box.low.x,
                            (i & 2) != 0 ? box.high.y : box.low.y,
@@ -34,7 +45,8 @@ class Solid {
                {{0, 0, 1, -box.low.z}, {0, 2, 3, 1}}, {{0, 0, -1, box.high.z}, {4, 5, 7, 6}}};
   }
 
-  // Keeps what is inside a plane.
+  // Keeps what is inside a plane. What is on it but for rounding is on it: else a plane given twice
+  // would cut the first cut's corners at random, and the facets would no longer close.
   void cut(const glm::dvec4& plane) {
     places_.assign(vertices_.size(), {});
     bool some_inside = false, some_outside = false;
@@ -43,7 +55,7 @@ class Solid {
         if (places_[v].known) continue;
         const Point& p = vertices_[v];
         const Real distance = plane.x * p[0] + plane.y * p[1] + plane.z * p[2] + plane.w;
-        places_[v] = {true, distance > 0 ? 1 : (distance < 0 ? -1 : 0), distance};
+        places_[v] = {true, distance > rounding_ ? 1 : (distance < -rounding_ ? -1 : 0), distance};
         some_inside |= places_[v].side > 0;
         some_outside |= places_[v].side < 0;
       }
@@ -72,7 +84,7 @@ class Solid {
   using Point = std::array<Real, 3>;
   struct Place {
     bool known = false;
-    int side = 0;  // of the sign of the distance
+    int side = 0;  // the sign of the distance; 0 on the plane
     Real distance = 0;
   };
 
@@ -137,6 +149,7 @@ class Solid {
     return outline;
   }
 
+  Real rounding_;  // of distances
   std::vector<Point> vertices_;
   std::vector<Facet> facets_;
   std::vector<Place> places_;  // of each vertex, to the plane that cuts
@@ -169,10 +182,8 @@ WorldWedge cut_box(std::span<const glm::dvec4> planes, const Bounds& box) {
 
 WorldWedge intersect_half_spaces(std::span<const glm::dvec4> planes, const Bounds& box,
                                  double accuracy) {
-  constexpr double kRounding = 0x1p-48;
-  const glm::dvec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
-  const double reach = std::max({farthest.x, farthest.y, farthest.z});
-  return kRounding * reach <= accuracy ? cut_box<double>(planes, box) : cut_box<Quad>(planes, box);
+  const bool in_double = kRounding<double> * reach_of(box) <= accuracy;
+  return in_double ? cut_box<double>(planes, box) : cut_box<Quad>(planes, box);
 }
 
 }  // namespace wedgesim::functional

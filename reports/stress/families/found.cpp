@@ -13,7 +13,7 @@ namespace {
 
 // What random_search_test.cpp found and made simple, each once wrong for the reason above it. Their
 // order never changes, new ones are last: a frame is called by its place.
-constexpr std::array<std::string_view, 48> kFound{
+constexpr std::array<std::string_view, 49> kFound{
     // The eye in a wedge much wider than the view: the wedge's interval of depth ended at its
     // faces.
     "light_size=4 floor_tilt_x=3 view=-6 first.size=-6",
@@ -105,6 +105,8 @@ constexpr std::array<std::string_view, 48> kFound{
     // The middle of two all but opposite normals: it was their sum, of which little is left.
     "kind=1 light=1 first.shape=3 first.pyramid=1 first.z=-4 first.turn=5 first.move=4 "
     "first.move_b=5 first.move_by=26 first.then_a=6 first.then_b=4",
+    // Front, back and side planes that are one, along a side of the light: its volume was torn.
+    "kind=1 light_tilt_x=-4 axes=1 target_z=-4 first.shape=3 first.x3=2 first.move=2",
 };
 
 // What can only be flagged; each was once wrong without. One that is mended moves up.
