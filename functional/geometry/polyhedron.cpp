@@ -45,8 +45,8 @@ class Solid {
                {{0, 0, 1, -box.low.z}, {0, 2, 3, 1}}, {{0, 0, -1, box.high.z}, {4, 5, 7, 6}}};
   }
 
-  // Keeps what is inside a plane. What is on it but for rounding is on it: else a plane given twice
-  // would cut the first cut's corners at random, and the facets would no longer close.
+  // Keeps what is inside a plane. What is on it but for rounding is on it: a plane given twice
+  // would cut the first cut's corners at random.
   void cut(const glm::dvec4& plane) {
     places_.assign(vertices_.size(), {});
     bool some_inside = false, some_outside = false;
@@ -58,6 +58,7 @@ class Solid {
         places_[v] = {true, distance > rounding_ ? 1 : (distance < -rounding_ ? -1 : 0), distance};
         some_inside |= places_[v].side > 0;
         some_outside |= places_[v].side < 0;
+        is_sure_ &= places_[v].side != 0;
       }
     }
     if (!some_outside) return;
@@ -79,6 +80,8 @@ class Solid {
     return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
   }
   const std::vector<Facet>& facets() const { return facets_; }
+  // Whether no vertex was on a plane that cut, but for rounding: then the facets close.
+  bool is_sure() const { return is_sure_; }
 
  private:
   using Point = std::array<Real, 3>;
@@ -150,15 +153,21 @@ class Solid {
   }
 
   Real rounding_;  // of distances
+  bool is_sure_ = true;
   std::vector<Point> vertices_;
   std::vector<Facet> facets_;
   std::vector<Place> places_;  // of each vertex, to the plane that cuts
 };
 
 template <typename Real>
-WorldWedge cut_box(std::span<const glm::dvec4> planes, const Bounds& box) {
+Solid<Real> cut_box(std::span<const glm::dvec4> planes, const Bounds& box) {
   Solid<Real> solid(box);
   for (const glm::dvec4& plane : planes) solid.cut(plane);
+  return solid;
+}
+
+template <typename Real>
+WorldWedge volume_of(const Solid<Real>& solid, std::span<const glm::dvec4> planes) {
   WorldWedge result;
   result.planes.assign(planes.begin(), planes.end());
   std::map<std::uint32_t, std::uint32_t> used;
@@ -182,8 +191,11 @@ WorldWedge cut_box(std::span<const glm::dvec4> planes, const Bounds& box) {
 
 WorldWedge intersect_half_spaces(std::span<const glm::dvec4> planes, const Bounds& box,
                                  double accuracy) {
-  const bool in_double = kRounding<double> * reach_of(box) <= accuracy;
-  return in_double ? cut_box<double>(planes, box) : cut_box<Quad>(planes, box);
+  if (kRounding<double> * reach_of(box) <= accuracy) {
+    const Solid<double> solid = cut_box<double>(planes, box);
+    if (solid.is_sure()) return volume_of(solid, planes);
+  }
+  return volume_of(cut_box<Quad>(planes, box), planes);
 }
 
 }  // namespace wedgesim::functional

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <span>
+
 #include "tests/functional/geometry/closed_surface.h"
 #include "tests/functional/random.h"
 
@@ -121,22 +124,23 @@ TEST(Polyhedron, AThinSliverOfALargeBox) {
   }
 }
 
-// One plane several times, rounded otherwise each time: corners of the first cut are on neither
-// side of the others but for rounding.
+// One plane several times, off by rounding or a little more: corners of the first cut are on
+// neither side of the others but for that.
 TEST(Polyhedron, OnePlaneCutsOnce) {
   Random random(98);
   const Bounds box{glm::dvec3(-16.0), glm::dvec3(16.0)};
   for (int i = 0; i < 20000; ++i) {
     const glm::dvec4 plane(random.direction(), random.uniform(-8.0, 8.0));
+    const double off = std::ldexp(1.0, random.whole(-55, -36));
     std::vector<glm::dvec4> planes{plane};
     for (int k = 0; k < 3; ++k) {
-      const auto rounded = [&](double value) { return value + 0x1p-54 * random.whole(-2, 2); };
+      const auto rounded = [&](double value) { return value + off * random.whole(-2, 2); };
       planes.push_back({rounded(plane.x), rounded(plane.y), rounded(plane.z), plane.w});
     }
     const double accuracy = i % 2 == 0 ? 0.0 : 1e-9;
     const double once = sums_of(intersect_half_spaces(std::span(planes).first(1), box)).volume6;
     const WorldWedge rest = intersect_half_spaces(planes, box, accuracy);
-    ASSERT_NEAR(sums_of(rest).volume6, once, 1e-9 * once) << "case " << i;
+    ASSERT_NEAR(sums_of(rest).volume6, once, 1e-5) << "case " << i;
     ASSERT_EQ(faults_of(rest).unmatched_edges, 0) << "case " << i;
   }
 }
