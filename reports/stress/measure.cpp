@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "base/error.h"
-#include "functional/reference/judge.h"
 #include "model/count/count.h"
 #include "reports/stress/evaluate.h"
 #include "reports/stress/frame.h"
-#include "traces/depth.h"
+#include "reports/stress/judged.h"
+#include "reports/stress/jumps.h"
 
 namespace wedgesim::reports::stress {
 namespace {
@@ -19,56 +19,6 @@ namespace {
 using functional::Frame;
 
 constexpr double kQuiet = 1.0 / 255.0;
-constexpr std::size_t kJumps = 24;  // pixels at which LI's step across a plane is looked at
-constexpr std::size_t kMostForJumps = 5000;  // wedges; with more it would cost more than all else
-
-// The judge's LI of the pixels of a frame that show a surface.
-class Judged {
- public:
-  Judged(const Case& stress_case, const Frame& frame) : case_(stress_case), frame_(frame) {
-    const std::uint32_t sky = traces::sky_word(frame.depth.format);
-    for (std::size_t i = 0; i < frame.trace.depth.size(); ++i) {
-      if (frame.trace.depth[i] != sky) pixels_.push_back(i);
-    }
-    li_ = functional::judge_light_intensity(case_.scene, frame, pixels_);
-    sensitivity_.assign(frame.trace.li_sensitivity.begin(), frame.trace.li_sensitivity.end());
-    known_.assign(sensitivity_.size(), false);
-  }
-
-  const std::vector<std::size_t>& pixels() const { return pixels_; }
-  double li(std::size_t k) const { return li_[k]; }  // of pixels()[k]
-  /// Exact where it was asked for, else the renderer's.
-  double sensitivity(std::size_t k) const { return sensitivity_[pixels_[k]]; }
-
-  const std::vector<double>& sensitivities() const { return sensitivity_; }  // of the frame
-
-  /// Makes the sensitivity of some pixels exact.
-  /// \param wanted  positions in pixels()
-  void refine(const std::vector<std::size_t>& wanted) {
-    std::vector<std::size_t> where;
-    for (const std::size_t k : wanted) {
-      if (!known_[pixels_[k]]) where.push_back(k);
-    }
-    if (where.empty()) return;
-    std::vector<std::size_t> at;
-    for (const std::size_t k : where) at.push_back(pixels_[k]);
-    const auto nearer = functional::judge_light_intensity(case_.scene, frame_, at, -1);
-    const auto farther = functional::judge_light_intensity(case_.scene, frame_, at, 1);
-    for (std::size_t i = 0; i < where.size(); ++i) {
-      const std::size_t k = where[i];
-      sensitivity_[at[i]] = std::max(std::fabs(nearer[i] - li_[k]), std::fabs(farther[i] - li_[k]));
-      known_[at[i]] = true;
-    }
-  }
-
- private:
-  const Case& case_;
-  const Frame& frame_;
-  std::vector<std::size_t> pixels_;
-  std::vector<double> li_;
-  std::vector<double> sensitivity_;  // of the frame
-  std::vector<bool> known_;
-};
 
 struct Root {
   double sum = 0.0;
@@ -129,7 +79,8 @@ class Measuring {
     result_.flagged[index(Arithmetic::renderer)] =
         result_.flagged[index(Arithmetic::double_precision)];
     refine();
-    measure_jumps();
+    const auto jumps = largest_jumps(case_, frame_, judged_.pixels());
+    for (std::size_t i = 0; i < jumps.size(); ++i) result_.errors[i].jump = jumps[i];
     wrong_in_double_.assign(frame_.trace.depth.size(), false);
     compare(Arithmetic::double_precision);  // first: what it gets wrong others cannot foresee
     for (const Arithmetic arithmetic : kArithmetics) {
@@ -281,75 +232,6 @@ class Measuring {
       // What double gets wrong, the others got with their constants.
       errors.unforeseen += none(true) && !wrong_in_double_[beyond[i]] ? 1 : 0;
     }
-  }
-
-  // Puts stored depths on either side of a plane of a wedge, another at each pixel, and compares
-  // how LI steps from one to the other.
-  void measure_jumps() {
-    if (frame_.trace.wedges.size() > kMostForJumps) return;
-    const traces::TraceView view = frame_.trace.view();
-    const std::size_t stride = 1 + judged_.pixels().size() / kJumps;
-    std::vector<std::size_t> pixels;
-    for (std::size_t k = 0; k < judged_.pixels().size(); k += stride) {
-      pixels.push_back(judged_.pixels()[k]);
-    }
-    auto wedges = wedges_at(view, pixels);
-    for (auto& at_pixel : wedges) {
-      std::erase_if(at_pixel, [&](std::uint32_t number) { return number >= view.wedges.size(); });
-    }
-    std::array<Frame, 2> sides{frame_, frame_};
-    std::vector<std::size_t> moved;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      if (!wedges[i].empty() && move_onto_plane(pixels[i], wedges[i], sides)) {
-        moved.push_back(pixels[i]);
-      }
-    }
-    if (moved.empty()) return;
-    // What the judge says of each moved pixel: one step nearer, both sides, one step farther.
-    std::array<std::vector<double>, 4> exact;
-    for (std::size_t s = 0; s < 4; ++s) {
-      const int step = s == 0 ? -1 : (s == 3 ? 1 : 0);
-      exact[s] = functional::judge_light_intensity(case_.scene, sides[s / 2], moved, step);
-    }
-    for (const Arithmetic arithmetic :
-         {Arithmetic::fixed, Arithmetic::float32, Arithmetic::double_precision}) {
-      const model::Datapath datapath = datapath_of(arithmetic, case_);
-      std::array<std::vector<double>, 2> li;
-      for (std::size_t s = 0; s < 2; ++s) {
-        li[s] = li_of(evaluate(sides[s].trace.view(), method_of(frame_), datapath).sums, datapath);
-      }
-      Errors& errors = result_.errors[index(arithmetic)];
-      for (std::size_t i = 0; i < moved.size(); ++i) {
-        const auto change = [&](std::size_t s) { return std::fabs(exact[s + 1][i] - exact[s][i]); };
-        const double allowed = std::max(change(0), change(1)) + std::max(change(1), change(2));
-        const double step = li[1][moved[i]] - li[0][moved[i]];
-        const double error = std::fabs(step - (exact[2][i] - exact[1][i]));
-        errors.jump = std::max(errors.jump, error - allowed);
-      }
-    }
-  }
-
-  bool move_onto_plane(std::size_t pixel, const std::vector<std::uint32_t>& wedges,
-                       std::array<Frame, 2>& sides) const {
-    const traces::fb::Wedge& wedge = frame_.trace.wedges[wedges[pixel % wedges.size()]];
-    // Not the planes that LI jumps across: the front of a `linear` wedge, whose back is beside it.
-    const unsigned first = wedge.kind() == traces::fb::WedgeKind_linear ? 2 : 0;
-    const auto chosen = static_cast<std::uint16_t>(first + pixel % (wedge.plane_count() - first));
-    const std::uint32_t reference = (*wedge.planes())[chosen];
-    const traces::fb::Plane& plane = frame_.trace.planes[traces::plane_index(reference)];
-    const auto width = static_cast<std::size_t>(result_.width);
-    const double x = static_cast<double>(pixel % width) + 0.5;
-    const double y = static_cast<double>(pixel / width) + 0.5;
-    const double z = -((plane.a() * x + plane.b() * y) + plane.d()) / plane.c();
-    if (!(z > 0.0 && z < 1.0)) return false;
-    const traces::fb::DepthFormat format = frame_.depth.format;
-    std::uint32_t before = traces::encode_depth(format, z);
-    if (traces::decode_depth(format, before) > z) before = traces::step_depth(format, before, -1);
-    const std::uint32_t behind = traces::step_depth(format, before, 1);
-    if (behind == traces::sky_word(format)) return false;
-    sides[0].trace.depth[pixel] = sides[0].depth.words[pixel] = before;
-    sides[1].trace.depth[pixel] = sides[1].depth.words[pixel] = behind;
-    return true;
   }
 
   const Case& case_;

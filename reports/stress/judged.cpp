@@ -1,0 +1,39 @@
+#include "reports/stress/judged.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "functional/reference/judge.h"
+#include "traces/depth.h"
+
+namespace wedgesim::reports::stress {
+
+Judged::Judged(const Case& stress_case, const functional::Frame& frame)
+    : case_(stress_case), frame_(frame) {
+  const std::uint32_t sky = traces::sky_word(frame.depth.format);
+  for (std::size_t i = 0; i < frame.trace.depth.size(); ++i) {
+    if (frame.trace.depth[i] != sky) pixels_.push_back(i);
+  }
+  li_ = functional::judge_light_intensity(case_.scene, frame, pixels_);
+  sensitivity_.assign(frame.trace.li_sensitivity.begin(), frame.trace.li_sensitivity.end());
+  known_.assign(sensitivity_.size(), false);
+}
+
+void Judged::refine(const std::vector<std::size_t>& wanted) {
+  std::vector<std::size_t> where;
+  for (const std::size_t k : wanted) {
+    if (!known_[pixels_[k]]) where.push_back(k);
+  }
+  if (where.empty()) return;
+  std::vector<std::size_t> at;
+  for (const std::size_t k : where) at.push_back(pixels_[k]);
+  const auto nearer = functional::judge_light_intensity(case_.scene, frame_, at, -1);
+  const auto farther = functional::judge_light_intensity(case_.scene, frame_, at, 1);
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    const std::size_t k = where[i];
+    sensitivity_[at[i]] = std::max(std::fabs(nearer[i] - li_[k]), std::fabs(farther[i] - li_[k]));
+    known_[at[i]] = true;
+  }
+}
+
+}  // namespace wedgesim::reports::stress
