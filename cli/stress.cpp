@@ -62,7 +62,8 @@ int replay(const Arguments& arguments) {
   refuse_with_replay("--seeds", !arguments.seeds.empty());
   const stress::CaseName name = stress::parse_case("--replay", arguments.replay);
   if (!arguments.arithmetic.empty()) parse_arithmetic(arguments.arithmetic);
-  if (!arguments.out.empty() && !std::filesystem::path(arguments.out).has_filename()) {
+  const std::filesystem::path file = std::filesystem::path(arguments.out).filename();
+  if (!arguments.out.empty() && (file.empty() || file == "." || file == "..")) {
     throw InputError(arguments.out, "is a folder",
                      "with --replay a file name, to be ended by .png and .wtrace");
   }
@@ -81,6 +82,8 @@ int replay(const Arguments& arguments) {
   }
   std::string text = stress::replay_text(name, measurement);
   if (arguments.shrink && !measurement.refused) text += shrink(arguments, made, measurement);
+  if (!arguments.out.empty() && measurement.refused) text += "no picture and no trace of it\n";
+  if (arguments.shrink && measurement.refused) text += "nothing to shrink\n";
   print(text);
   return stress::replay_holds(name, measurement) ? 0 : 1;
 }
@@ -100,7 +103,14 @@ int run(const Arguments& arguments) {
     options.seeds = static_cast<std::uint64_t>(parse_integer("--seeds", arguments.seeds, 1, 1000));
   }
   if (!arguments.out.empty()) stress::require_stress_writable(arguments.out);
-  if (!arguments.json.empty()) require_writable(arguments.json);
+  if (!arguments.json.empty()) {
+    require_writable(arguments.json);
+    if (!arguments.out.empty()) {
+      std::vector<std::filesystem::path> outputs = stress::stress_files(arguments.out);
+      outputs.emplace_back(arguments.json);
+      require_apart(outputs);
+    }
+  }
   std::vector<stress::FamilyResult> results;
   {
     Progress progress;

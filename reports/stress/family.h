@@ -44,11 +44,8 @@ struct Family {
   bool may_refuse = false;
   /// Difficulties are multiples of this: those that count something. 0: any number.
   double step = 0.0;
-  /// Of the levels that must hold those without a pixel in a penumbra, and why that must be so.
-  struct Empty {
-    std::vector<double> levels;
-    std::string_view why;
-  } empty{};
+  /// Of the levels that must hold those that cannot have a pixel in a penumbra.
+  std::vector<double> empty_levels{};
 };
 
 /// All families, in the order of the report.

@@ -38,13 +38,13 @@ class Flagging {
 
   std::vector<Flagged> run() {
     foreseen_ = true;
-    if (datapath_.kind == model::DatapathKind::exact) add_constants();
-    add_uncertain();
-    add_doubtful();
     if (datapath_.kind == model::DatapathKind::fixed) {
       add_at([&](std::size_t i) { return !datapath_.li_holds(evaluation_.sums[i]); },
              "LI leaves its word at a pixel");
     }
+    if (datapath_.kind == model::DatapathKind::exact) add_constants();
+    add_uncertain();
+    add_doubtful();
     if (datapath_.kind == model::DatapathKind::exact) {
       add_at([&](std::size_t i) { return is_finer_than_double(trace_, i); },
              "a pixel's stored depth is finer than its window depth in double precision");

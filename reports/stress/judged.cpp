@@ -16,23 +16,16 @@ Judged::Judged(const Case& stress_case, const functional::Frame& frame)
   }
   li_ = functional::judge_light_intensity(case_.scene, frame, pixels_);
   sensitivity_.assign(frame.trace.li_sensitivity.begin(), frame.trace.li_sensitivity.end());
-  known_.assign(sensitivity_.size(), false);
 }
 
 void Judged::refine(const std::vector<std::size_t>& wanted) {
-  std::vector<std::size_t> where;
-  for (const std::size_t k : wanted) {
-    if (!known_[pixels_[k]]) where.push_back(k);
-  }
-  if (where.empty()) return;
   std::vector<std::size_t> at;
-  for (const std::size_t k : where) at.push_back(pixels_[k]);
+  for (const std::size_t k : wanted) at.push_back(pixels_[k]);
   const auto nearer = functional::judge_light_intensity(case_.scene, frame_, at, -1);
   const auto farther = functional::judge_light_intensity(case_.scene, frame_, at, 1);
-  for (std::size_t i = 0; i < where.size(); ++i) {
-    const std::size_t k = where[i];
-    sensitivity_[at[i]] = std::max(std::fabs(nearer[i] - li_[k]), std::fabs(farther[i] - li_[k]));
-    known_[at[i]] = true;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const double li = li_[wanted[i]];
+    sensitivity_[at[i]] = std::max(std::fabs(nearer[i] - li), std::fabs(farther[i] - li));
   }
 }
 

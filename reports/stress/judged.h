@@ -20,7 +20,7 @@ class Judged {
   double sensitivity(std::size_t k) const { return sensitivity_[pixels_[k]]; }
   const std::vector<double>& sensitivities() const { return sensitivity_; }  // (height, width)
 
-  /// Makes the sensitivity of some pixels exact.
+  /// Makes the sensitivity of some pixels exact. Others keep the renderer's.
   /// \param wanted  positions in pixels()
   void refine(const std::vector<std::size_t>& wanted);
 
@@ -30,7 +30,6 @@ class Judged {
   std::vector<std::size_t> pixels_;
   std::vector<double> li_;
   std::vector<double> sensitivity_;  // of the frame
-  std::vector<bool> known_;
 };
 
 }  // namespace wedgesim::reports::stress

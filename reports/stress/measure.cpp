@@ -166,7 +166,7 @@ class Measuring {
         }
       }
     }
-    judged_.refine(wanted);
+    if (!wanted.empty()) judged_.refine(wanted);
     result_.sensitivities = judged_.sensitivities();
     for (const std::size_t k : wanted) {
       result_.sensitivity = std::max(result_.sensitivity, judged_.sensitivity(k));

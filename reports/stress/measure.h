@@ -47,7 +47,7 @@ struct Errors {
   std::uint64_t signs = 0, wrong_signs = 0;  // of planes at the pixels their wedge covers
   std::uint64_t not_finite = 0, saturated = 0, overflowed = 0;
   /// Largest error of LI's step from one side of a plane of a wedge to the other, beyond the
-  /// sensitivity of both.
+  /// sensitivity of both; not looked for in the renderer.
   double jump = 0.0;
   std::uint64_t unflagged = 0;  // of `beyond`, pixels that belong to no wedge that is flagged
   /// Of `beyond`, those at no wedge that the datapath itself foresees, though double is right
@@ -58,6 +58,12 @@ struct Errors {
   std::vector<double> li;    // (height, width), for pictures
   bool holds = false;        // the bar
 };
+
+/// Pixels beyond the bar that nothing warned of: `fixed` must foresee them by itself, the others
+/// have one another.
+constexpr std::uint64_t silent_pixels(const Errors& errors, Arithmetic arithmetic) {
+  return arithmetic == Arithmetic::fixed ? errors.unforeseen : errors.unflagged;
+}
 
 struct Measurement {
   std::optional<std::string> refused;  // why there is no frame

@@ -25,7 +25,7 @@ Table errors_table(const Measurement& measurement) {
   for (const char* title : {"error", "excess", "RMS", "RMS inside", "jump"}) {
     table.add_column(title, Align::right);
   }
-  for (const char* title : {"off", "beyond", "unflagged", "specks", "leaks"}) {
+  for (const char* title : {"off", "beyond", "unflagged", "unforeseen", "specks", "leaks"}) {
     table.add_column(title, Align::right, *title == 'o' ? "pixels" : "");
   }
   for (const char* title :
@@ -40,8 +40,8 @@ Table errors_table(const Measurement& measurement) {
       row.push_back(fmt::format("{:.2e}", x));
     }
     for (const std::uint64_t n :
-         {e.off, e.beyond, e.unflagged, e.specks, e.leaks, e.visits, e.not_finite, e.saturated,
-          e.overflowed, e.signs, e.wrong_signs}) {
+         {e.off, e.beyond, e.unflagged, e.unforeseen, e.specks, e.leaks, e.visits, e.not_finite,
+          e.saturated, e.overflowed, e.signs, e.wrong_signs}) {
       row.push_back(std::to_string(n));
     }
     row.emplace_back(e.holds ? "holds" : "does not hold");
@@ -90,8 +90,10 @@ std::string flagged_text(const Measurement& measurement) {
         text += fmt::format("{}: {} more wedges flagged\n", name_of(a), flagged.size() - i);
         break;
       }
-      text += fmt::format("{}: wedge {} flagged: {}\n", name_of(a), flagged[i].wedge,
-                          flagged[i].reason);
+      const bool is_wedge = flagged[i].wedge < measurement.wedges;
+      text += fmt::format("{}: {} {} {}: {}\n", name_of(a), is_wedge ? "wedge" : "umbra polygon",
+                          flagged[i].wedge - (is_wedge ? 0 : measurement.wedges),
+                          flagged[i].foreseen ? "foreseen" : "flagged", flagged[i].reason);
     }
   }
   return text;
@@ -145,11 +147,9 @@ std::string replay_text(const CaseName& name, const Measurement& measurement) {
 
 bool replay_holds(const CaseName& name, const Measurement& measurement) {
   if (measurement.refused) return name.family->may_refuse;
-  for (const Arithmetic a :
-       {Arithmetic::fixed, Arithmetic::double_precision, Arithmetic::renderer}) {
-    if (errors_of(measurement, a).unflagged > 0) return false;
-  }
-  return measurement.configurations_agree;
+  return measurement.configurations_agree && std::ranges::all_of(kArithmetics, [&](Arithmetic a) {
+           return silent_pixels(errors_of(measurement, a), a) == 0;
+         });
 }
 
 }  // namespace wedgesim::reports::stress

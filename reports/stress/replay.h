@@ -23,8 +23,8 @@ std::optional<Arithmetic> first_beyond(const Measurement& measurement);
 /// One case in words: every error of every arithmetic, flagged wedges, the worst pixels.
 std::string replay_text(const CaseName& name, const Measurement& measurement);
 
-/// Is no pixel beyond the bar of fixed, double or renderer without a flagged wedge, and no frame
-/// refused that must not be?
+/// Is there no silent pixel, do modes, cullings and tile sizes agree, and is no frame refused that
+/// must not be?
 bool replay_holds(const CaseName& name, const Measurement& measurement);
 
 }  // namespace wedgesim::reports::stress

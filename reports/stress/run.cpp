@@ -111,7 +111,7 @@ std::size_t FamilyResult::levels_up_to(double difficulty) const {
 std::vector<std::string> FamilyResult::complaints() const {
   std::vector<std::string> complaints;
   for (const double level : empty_levels()) {
-    if (std::ranges::count(family->empty.levels, level) > 0) continue;
+    if (std::ranges::count(family->empty_levels, level) > 0) continue;
     complaints.push_back(
         fmt::format("no pixel is in a penumbra at {}: nothing is asked", difficulty_text(level)));
   }
@@ -125,17 +125,21 @@ std::vector<std::string> FamilyResult::complaints() const {
                                          difficulty_text(*must)));
       }
     }
-    // The fixed datapath must know by itself; the others have each other.
-    const bool itself = arithmetic == Arithmetic::fixed;
     std::uint64_t silent = 0;
-    for (const auto& level : levels) {
-      const Errors worst = worst_of(level, arithmetic);
-      silent += itself ? worst.unforeseen : worst.unflagged;
+    std::string first;
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+      for (std::size_t seed = 0; seed < levels[level].size(); ++seed) {
+        const Measurement& m = levels[level][seed];
+        silent += silent_pixels(m.errors[static_cast<std::size_t>(arithmetic)], arithmetic);
+        if (silent == 0 || !first.empty()) continue;
+        first = fmt::format("{},{},{}", family->name, seed, difficulty_text(family->levels[level]));
+      }
     }
     if (silent > 0) {
-      complaints.push_back(fmt::format("{}: {} pixels beyond the bar belong to no {} wedge",
-                                       name_of(arithmetic), silent,
-                                       itself ? "foreseen" : "flagged"));
+      complaints.push_back(
+          fmt::format("{}: {} pixels beyond the bar belong to no {} wedge, the first in {}",
+                      name_of(arithmetic), silent,
+                      arithmetic == Arithmetic::fixed ? "foreseen" : "flagged", first));
     }
   }
   for (const auto& level : levels) {

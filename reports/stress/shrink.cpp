@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "functional/methods/light_intensity.h"
 #include "functional/reference/judge.h"
@@ -86,7 +87,8 @@ void keep_fewest(Shrunk& shrunk) {
   double sum = 0.0;
   std::size_t kept = 0;
   while (kept < shrunk.culprits.size() && sum <= bar) sum += sign * shrunk.culprits[kept++].error();
-  shrunk.culprits.resize(kept);
+  const bool has_left_word = std::fabs(shrunk.sum - shrunk.li) > bar;
+  shrunk.culprits.resize(sum > bar && !has_left_word ? kept : 0);
 }
 
 std::string point_text(const glm::dvec3& p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
@@ -108,6 +110,8 @@ std::optional<Shrunk> shrink(const Case& stress_case, const Measurement& measure
   shrunk.sensitivity = measurement.sensitivities[pixel];
   shrunk.culprits = Shares(stress_case, arithmetic, pixel).all();
   shrunk.parts = shrunk.culprits.size();
+  shrunk.sum = 1.0;
+  for (const Culprit& culprit : shrunk.culprits) shrunk.sum += culprit.li;
   keep_fewest(shrunk);
   return shrunk;
 }
@@ -115,10 +119,17 @@ std::optional<Shrunk> shrink(const Case& stress_case, const Measurement& measure
 std::string shrunk_text(const Shrunk& shrunk) {
   using Align = Table::Align;
   std::string text = fmt::format(
-      "{}: pixel {},{} has LI {:.9f}, the judge {:.9f}; sensitivity {:.2e}, tolerance {:.2e}\n"
-      "{} of {} edges and polygons alone pass the bar there:\n",
+      "{}: pixel {},{} has LI {:.9f}, the judge {:.9f}; sensitivity {:.2e}, tolerance {:.2e}\n",
       name_of(shrunk.arithmetic), shrunk.x, shrunk.y, shrunk.li, shrunk.judge, shrunk.sensitivity,
-      tolerance_of(shrunk.arithmetic), shrunk.culprits.size(), shrunk.parts);
+      tolerance_of(shrunk.arithmetic));
+  if (shrunk.culprits.empty()) {
+    return text + fmt::format(
+                      "no edge is to blame: all {} edges and polygons add up to {:.9f}, "
+                      "which leaves LI's word\n",
+                      shrunk.parts, shrunk.sum);
+  }
+  text += fmt::format("{} of {} edges and polygons alone pass the bar there:\n",
+                      shrunk.culprits.size(), shrunk.parts);
   Table table;
   for (const char* title : {"wedge", "polygon", "LI share", "judge's", "error"}) {
     table.add_column(title, Align::right);

@@ -25,14 +25,15 @@ struct Shrunk {
   Arithmetic arithmetic = Arithmetic::fixed;
   int x = 0, y = 0;  // the pixel that is farthest off, beyond its sensitivity
   double li = 0.0, judge = 0.0, sensitivity = 0.0;
+  double sum = 0.0;               // LI that all parts add up to, however wide
   std::size_t parts = 0;          // edges and lone polygons of the frame
-  std::vector<Culprit> culprits;  // the largest error first
+  std::vector<Culprit> culprits;  // the largest error first; none if they do not pass the bar
 };
 
 /// Contributions add up, so the fewest edges whose errors alone pass the bar at the worst pixel are
-/// those with the largest errors of the sum's sign.
-/// \param measurement  of the case, with its pictures
-/// \return none if no pixel is beyond the bar
+/// those with the largest errors of the sum's sign. Where the sum leaves LI's word none is to
+/// blame. \param measurement  of the case, with its pictures \return none if no pixel is beyond the
+/// bar
 std::optional<Shrunk> shrink(const Case& stress_case, const Measurement& measurement,
                              Arithmetic arithmetic);
 

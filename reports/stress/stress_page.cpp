@@ -194,12 +194,16 @@ std::string stress_page(const RunOptions& options, const std::vector<FamilyResul
   });
 }
 
-void require_stress_writable(const std::filesystem::path& folder) {
-  require_writable(folder / "stress.json");
-  require_writable(folder / "stress.html");
+std::vector<std::filesystem::path> stress_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files{folder / "stress.json", folder / "stress.html"};
   for (const Family& family : families()) {
-    for (const Arithmetic a : kArithmetics) require_writable(picture_path(folder, family, a));
+    for (const Arithmetic a : kArithmetics) files.push_back(picture_path(folder, family, a));
   }
+  return files;
+}
+
+void require_stress_writable(const std::filesystem::path& folder) {
+  for (const std::filesystem::path& file : stress_files(folder)) require_writable(file);
 }
 
 void write_stress(const std::filesystem::path& folder, const RunOptions& options,

@@ -20,6 +20,9 @@ struct FailurePicture {
 std::string stress_page(const RunOptions& options, const std::vector<FamilyResult>& results,
                         const std::vector<FailurePicture>& pictures);
 
+/// All that write_stress may write.
+std::vector<std::filesystem::path> stress_files(const std::filesystem::path& folder);
+
 /// Refuses a folder into which write_stress could not write, before long work.
 /// \throws InputError as write_stress does
 void require_stress_writable(const std::filesystem::path& folder);

@@ -33,6 +33,14 @@ TEST_F(Stress, ReplayWritesPictureAndTrace) {
   expect_good(run_command({"count", file("small.wtrace"), "--tile", "4"}));
 }
 
+TEST_F(Stress, ReplaySaysThatARefusedCaseHasNoPicture) {
+  const Outcome refused = stress({"--replay", "touching-light,1,-3", "-o", file("none")});
+  expect_good(refused);
+  EXPECT_TRUE(has(refused, "refused: ")) << refused.out;
+  EXPECT_TRUE(has(refused, "no picture and no trace")) << refused.out;
+  EXPECT_EQ(folder.entries(), 0U);
+}
+
 TEST_F(Stress, ReplayShowsWhatIsWrong) {
   // Far from what the fixed datapath can hold.
   const Outcome bad = stress({"--replay", "distance-ratio,0,1e8"});
@@ -87,6 +95,9 @@ TEST_F(Stress, BadCasesAreRefused) {
       {{"--replay", "small-light,0,1", "--json", file("x")}, {"--json", "--replay"}},
       {{"--replay", "small-light,0,1", "-o", "/proc/x"}, {"/proc/x"}},
       {{"--replay", "small-light,0,1", "-o", file("d/")}, {"d/", "a file name"}},
+      {{"--replay", "small-light,0,1", "-o", "."}, {"a file name"}},
+      {{"--family", "frame-size", "-o", file("a"), "--json", file("a/stress.html")},
+       {"a/stress.html", "written twice"}},
       {{"--replay", "small-light,0,1", "--shrink", "--arithmetic", "int"},
        {"--arithmetic", "'int'", "fixed, float32, double, renderer"}},
       {{"--replay", "small-light,0,1", "--arithmetic", "fixed"}, {"--arithmetic", "--shrink"}},

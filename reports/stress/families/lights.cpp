@@ -101,7 +101,7 @@ std::vector<Family> light_families() {
        {1e-4, 1e-6},
        small_light},
       {"line-light",
-       "width of a rectangular light over its length; 0 is a line",
+       "width of a rectangular light over its length",
        "",
        decades(0, -12, {1e-14, 1e-16, 1e-18, 1e-24}),
        {1e-4, 1e-6},
@@ -121,7 +121,7 @@ std::vector<Family> light_families() {
        touching_light,
        true,
        0.0,
-       {{1e-3, 1e-6, 0.0, -0.5, -3.0}, "refused: the penumbra spans a half-space"}},
+       {1e-3, 1e-6, 0.0, -0.5, -3.0}},  // refused: the penumbra spans a half-space
   };
 }
 

@@ -11,7 +11,8 @@
 namespace wedgesim::model::test {
 
 /// The counters by their definitions, pixel by pixel and tile by tile, with sets of pixels: slow,
-/// and sharing with the counter under test only what a contribution is worth.
+/// and sharing with the counter under test only what a contribution is worth and how many bytes a
+/// wedge's record has.
 struct NaiveCount {
   std::map<std::string, std::uint64_t, std::less<>> counters;
   std::vector<std::int64_t> li;  // (height, width) words of 2^-40

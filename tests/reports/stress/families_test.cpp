@@ -13,6 +13,7 @@
 #include "functional/methods/frame.h"
 #include "functional/scene/manifold.h"
 #include "reports/stress/family.h"
+#include "reports/stress/measure.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/reports/stress/measured.h"
 #include "traces/writer.h"
@@ -48,6 +49,15 @@ double penumbra_share(const traces::Trace& trace) {
 
 bool may_refuse(const Family& family, double level) {
   return family.name == "touching-light" && level < family.levels.front();
+}
+
+// A level is excused from having penumbrae only if it has none.
+TEST(Families, ExcusedLevelsHaveNoPenumbra) {
+  for (const Family& family : families()) {
+    for (const double level : family.empty_levels) {
+      EXPECT_EQ(measure(family.make(0, level)).in_penumbra, 0U) << family.name << " " << level;
+    }
+  }
 }
 
 TEST(Families, HaveLevelsFromHarmlessToHardAndRequireSomeOfThem) {

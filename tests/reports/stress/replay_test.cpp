@@ -44,8 +44,10 @@ TEST(Replay, HoldsUnlessAPixelIsWrongAndUnflagged) {
   m.errors[static_cast<std::size_t>(Arithmetic::float32)].beyond = 1;
   m.errors[static_cast<std::size_t>(Arithmetic::float32)].unflagged = 1;
   EXPECT_EQ(first_beyond(m), Arithmetic::float32);
-  EXPECT_TRUE(replay_holds(name, m));  // single precision is only reported
-  m.errors[static_cast<std::size_t>(Arithmetic::renderer)].unflagged = 1;
+  EXPECT_FALSE(replay_holds(name, m));
+  m.errors[static_cast<std::size_t>(Arithmetic::float32)].unflagged = 0;
+  EXPECT_TRUE(replay_holds(name, m));
+  m.errors[static_cast<std::size_t>(Arithmetic::fixed)].unforeseen = 1;  // though it is flagged
   EXPECT_FALSE(replay_holds(name, m));
   m.refused = "why";
   EXPECT_EQ(replay_holds(name, m), name.family->may_refuse);
@@ -55,8 +57,11 @@ TEST(Replay, HoldsUnlessAPixelIsWrongAndUnflagged) {
 TEST(Replay, SaysWhatIsFlagged) {
   const CaseName name{&families().front(), 0, 1.0};
   const auto results = tests::sample_results();
-  const std::string text = replay_text(name, results[1].levels[2][0]);
+  Measurement m = results[1].levels[2][0];
+  m.flagged[static_cast<std::size_t>(Arithmetic::fixed)] = {{10, "too wide", true}};
+  const std::string text = replay_text(name, m);
   EXPECT_NE(text.find("double: wedge 7 flagged: too <thin>"), std::string::npos) << text;
+  EXPECT_NE(text.find("fixed: umbra polygon 2 foreseen: too wide"), std::string::npos) << text;
   EXPECT_NE(text.find("0.499000000*"), std::string::npos) << text;
 }
 

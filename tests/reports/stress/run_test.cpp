@@ -30,9 +30,9 @@ TEST(FamilyResult, ComplainsOfWhatIsWrong) {
   auto results = tests::sample_results();
   EXPECT_TRUE(results[0].complaints().empty());
   const std::vector<std::string> expected{
-      "float32: 2 pixels beyond the bar belong to no flagged wedge",
+      "float32: 2 pixels beyond the bar belong to no flagged wedge, the first in brittle,1,0.001",
       "double holds to 0.001, must hold to 1e-4",
-      "double: 1 pixels beyond the bar belong to no flagged wedge"};
+      "double: 1 pixels beyond the bar belong to no flagged wedge, the first in brittle,0,1e-4"};
   EXPECT_EQ(results[1].complaints(), expected);
   results[0].levels[3][1].configurations_agree = false;
   EXPECT_EQ(results[0].complaints().size(), 1U);
@@ -46,7 +46,8 @@ TEST(FamilyResult, ComplainsOfWhatIsNotForeseen) {
   EXPECT_TRUE(results[0].complaints().empty());
   m.errors[static_cast<std::size_t>(Arithmetic::fixed)].unforeseen = 3;
   EXPECT_EQ(results[0].complaints(),
-            std::vector<std::string>{"fixed: 3 pixels beyond the bar belong to no foreseen wedge"});
+            std::vector<std::string>{"fixed: 3 pixels beyond the bar belong to no foreseen wedge, "
+                                     "the first in steady,0,0"});
 }
 
 TEST(FamilyResult, ComplainsOfLevelsThatAskNothing) {
@@ -60,7 +61,7 @@ TEST(FamilyResult, ComplainsOfLevelsThatAskNothing) {
   EXPECT_EQ(steady.complaints(),
             std::vector<std::string>{"no pixel is in a penumbra at 0.001: nothing is asked"});
   Family excused = *steady.family;
-  excused.empty = {{1e-3}, "a reason"};
+  excused.empty_levels = {1e-3};
   steady.family = &excused;
   EXPECT_TRUE(steady.complaints().empty());
 }

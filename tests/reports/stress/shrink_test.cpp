@@ -71,6 +71,17 @@ TEST(Shrink, KeepsTheFewestEdgesThatPassTheBar) {
   EXPECT_EQ(std::signbit(sum), std::signbit(shrunk->li - shrunk->judge));
 }
 
+// A sum that leaves its word wraps: each of its parts is right.
+TEST(Shrink, BlamesNoEdgeWhereLightIntensityLeavesItsWord) {
+  const Case made = parse_case("name", "overlap,0,18").make();
+  const auto shrunk = shrink(made, measure(made), Arithmetic::fixed);
+  ASSERT_TRUE(shrunk.has_value());
+  EXPECT_TRUE(shrunk->culprits.empty());
+  EXPECT_NEAR(shrunk->sum, shrunk->judge, tolerance_of(Arithmetic::fixed));
+  EXPECT_NEAR(std::abs(shrunk->li - shrunk->sum), 32.0, 1e-9);
+  EXPECT_NE(shrunk_text(*shrunk).find("which leaves LI's word"), std::string::npos);
+}
+
 TEST(Shrink, LeavesWhatIsRightAlone) {
   const Case made = parse_case("name", "distance-ratio,0,1").make();
   const Measurement measurement = measure(made);
