@@ -16,6 +16,12 @@ bool answered(const Family& family, const Measurement& measurement, Arithmetic a
   return measurement.errors[static_cast<std::size_t>(arithmetic)].holds;
 }
 
+// Whether a level has a pixel that can be wrong, or a frame that is refused.
+bool asks(const std::vector<Measurement>& level) {
+  return std::ranges::any_of(
+      level, [](const Measurement& m) { return m.refused.has_value() || m.in_penumbra > 0; });
+}
+
 void drop_pictures(Measurement& measurement) {
   measurement.judge = {};
   measurement.sensitivities = {};
@@ -69,7 +75,8 @@ std::size_t FamilyResult::levels_held(Arithmetic arithmetic) const {
 }
 
 std::optional<double> FamilyResult::holds_to(Arithmetic arithmetic) const {
-  const std::size_t held = levels_held(arithmetic);
+  std::size_t held = levels_held(arithmetic);
+  while (held > 0 && !asks(levels[held - 1])) --held;
   if (held == 0) return {};
   return family->levels[held - 1];
 }

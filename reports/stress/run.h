@@ -24,7 +24,8 @@ struct FamilyResult {
   /// Of the levels up to here each is right, or refused where that is an answer.
   /// \return how many levels from the first
   std::size_t levels_held(Arithmetic arithmetic) const;
-  /// The hardest level up to which the bar holds; none: not even the first.
+  /// The hardest level up to which the bar holds, not one beyond which none has a pixel in a
+  /// penumbra that could be wrong; none: not even the first.
   std::optional<double> holds_to(Arithmetic arithmetic) const;
   /// The hardest level that must hold, of an arithmetic that has one.
   std::optional<double> required(Arithmetic arithmetic) const;

@@ -26,6 +26,16 @@ TEST(FamilyResult, HoldsUpToTheFirstFailure) {
   EXPECT_EQ(brittle.holds_to(Arithmetic::renderer), 0.0);
 }
 
+TEST(FamilyResult, DoesNotHoldToLevelsThatAskNothing) {
+  auto results = tests::sample_results();
+  FamilyResult& steady = results[0];
+  for (const std::size_t level : {1U, 3U}) {
+    for (Measurement& m : steady.levels[level]) m.in_penumbra = 0;
+  }
+  EXPECT_EQ(steady.levels_held(Arithmetic::fixed), 4U);
+  EXPECT_EQ(steady.holds_to(Arithmetic::fixed), 1e-4);
+}
+
 TEST(FamilyResult, ComplainsOfWhatIsWrong) {
   auto results = tests::sample_results();
   EXPECT_TRUE(results[0].complaints().empty());
