@@ -34,7 +34,7 @@ std::array<ClipPlane, 5> clip_planes(double near) {
 }
 
 // Between two points whose w differ by more than their digits rounding would leave nothing of the
-// smaller one: what is known of the cut is set.
+// smaller one: what is known of the cut is set. Seen from the eye it is between its two ends.
 void make_exact(const ClipPlane& plane, const glm::dvec4& in, const glm::dvec4& out,
                 glm::dvec4& cut) {
   if (plane.axis == kDistance) {
@@ -43,6 +43,10 @@ void make_exact(const ClipPlane& plane, const glm::dvec4& in, const glm::dvec4& 
     return;
   }
   cut.w = std::max(cut.w, std::min(in.w, out.w));
+  for (const int axis : {0, 1}) {
+    const auto [low, high] = std::minmax({in[axis] / in.w, out[axis] / out.w});
+    cut[axis] = std::clamp(cut[axis], low * cut.w, high * cut.w);
+  }
   cut[plane.axis] = plane.limit * cut.w;
 }
 
