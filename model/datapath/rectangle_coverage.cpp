@@ -40,26 +40,28 @@ Point inner_point(const End& end, Rounder round) {
   return p;
 }
 
-struct Crossing {
-  Point point;
-  std::size_t side;  // as in End::sides
+// By which sides the line comes into the square, or goes out of it: u is 1 or -1 there, or v is.
+struct Sides {
+  int u, v;
+  // The line goes along (b, -a): it comes in by the sides behind that direction.
+  Sides(const Line& line, bool in)
+      : u((line.b > 0) != in ? 1 : -1), v((line.a < 0) != in ? 1 : -1) {}
+
+  // Of End::sides.
+  std::array<std::size_t, 2> indices() const { return {u > 0 ? 0U : 1U, v > 0 ? 2U : 3U}; }
 };
 
-// Where the line crosses the outline, coming in or going out; none if it misses the square.
-std::optional<Crossing> crossing(const Line& line, bool in, Rounder round) {
+// Where the line crosses one of two sides; nothing if it misses the square.
+std::optional<Point> crossing(const Line& line, const Sides& sides, Rounder round) {
   const auto size = [](std::int64_t x) { return x < 0 ? -x : x; };
-  // The line goes along (b, -a): it comes in by the sides behind that direction.
-  const int u = (line.b > 0) != in ? 1 : -1;
+  const auto [u, v] = sides;
   if (const std::int64_t at = line.c + u * line.a; line.b != 0 && size(at) <= size(line.b)) {
-    const double v = -round(round(at, 0) / round(line.b, 0));
-    return Crossing{{static_cast<double>(u), v, 1.0, perimeter(true, u, u * v, round)},
-                    u > 0 ? 0U : 1U};
+    const double across = -round(round(at, 0) / round(line.b, 0));
+    return Point{static_cast<double>(u), across, 1.0, perimeter(true, u, u * across, round)};
   }
-  const int v = (line.a < 0) != in ? 1 : -1;
   if (const std::int64_t at = line.c + v * line.b; line.a != 0 && size(at) <= size(line.a)) {
     const double across = -round(round(at, 0) / round(line.a, 0));
-    return Crossing{{across, static_cast<double>(v), 1.0, perimeter(false, v, v * across, round)},
-                    v > 0 ? 2U : 3U};
+    return Point{across, static_cast<double>(v), 1.0, perimeter(false, v, v * across, round)};
   }
   return std::nullopt;
 }
@@ -78,12 +80,16 @@ double coverage(const RectangleSetup& setup, const Place& at, Rounder round) {
     sides[i] = end.sides();
     if (std::all_of(sides[i].begin(), sides[i].end(), [](std::int64_t f) { return f >= 0; })) {
       points[i] = inner_point(end, round);
-    } else if (const auto crossed = crossing(line, i == 0, round);
-               crossed && sides[i][crossed->side] < 0) {  // or it is what lies behind the point
-      points[i] = crossed->point;
-    } else {
-      return 0.0;
+      continue;
     }
+    // Where the line crosses the outline, if the end is beyond: else that is what lies behind the
+    // point. By either side, as next to a corner the line's rounding picks the one, the end's the
+    // other.
+    const Sides by(line, i == 0);
+    const auto crossed = crossing(line, by, round);
+    const auto is_beyond = [&](std::size_t side) { return sides[i][side] < 0; };
+    if (!crossed || std::ranges::none_of(by.indices(), is_beyond)) return 0.0;
+    points[i] = *crossed;
   }
   for (std::size_t k = 0; k < 4; ++k) {
     if (sides[0][k] < 0 && sides[1][k] < 0) return 0.0;

@@ -141,5 +141,40 @@ TEST(Contribution, IsWithinItsStatedErrorForPointsLightsAndEdgesAtRandom) {
   }
 }
 
+// Edges of which one end is seen before a corner of the light, but for rounding: the end and the
+// line through both may be on different sides of that corner.
+TEST(Contribution, EndsBeforeACornerOfTheLight) {
+  const unsigned seed = 2004;
+  std::cout << "seed " << seed << '\n';
+  std::mt19937 random(seed);
+  const auto whole = [&](int low, int high) {
+    return std::uniform_int_distribution<int>(low, high)(random);
+  };
+  const auto eighths = [&](int most) { return whole(-most, most) / 8.0; };
+  const ZSteps steps(traces::fb::DepthFormat_unorm24);
+  const Formats formats;
+  std::size_t lit = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const glm::dvec3 point{eighths(64), eighths(64), whole(16, 320) / 8.0};
+    const glm::dvec3 corner{whole(0, 1) * 2 - 1, whole(0, 1) * 2 - 1, 0.0};
+    const glm::dvec3 other{eighths(16), eighths(16), 0.0};
+    glm::dvec3 begin = corner + (point - corner) * (whole(1, 31) / 32.0);
+    glm::dvec3 end = other + (point - other) * (whole(1, 31) / 32.0);
+    const double longer = whole(0, 3) * std::ldexp(1.0, -whole(20, 54));
+    const double nudge = std::ldexp(1.0, -whole(35, 54));
+    begin += (begin - end) * longer;
+    begin += glm::dvec3(whole(-1, 1), whole(-1, 1), whole(-1, 1)) * nudge;
+    if (whole(0, 1) != 0) std::swap(begin, end);
+    const OnePoint one(traces::fb::LightShape_rectangle, point, 1.0, begin, end);
+    const auto view = one.trace.view();
+    const double exact = model::contribution(model::light_terms(view, one.wedge), 0.5, 0.5, 0.5);
+    const double fixed = contribution(light_setup(view, one.wedge, steps, formats), {1, 1, 8388608},
+                                      formats.round());
+    ASSERT_NEAR(exact, fixed, 1e-4) << "case " << i;
+    lit += exact > 1e-3 ? 1 : 0;
+  }
+  EXPECT_GT(lit, 100000U);
+}
+
 }  // namespace
 }  // namespace wedgesim::model::datapath
