@@ -14,32 +14,37 @@ namespace {
 
 double cross_2d(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-// A part of a segment, 0 at its begin and 1 at its end.
-struct Interval {
-  double low = 0.0;
-  double high = 1.0;
-  // Keeps t with from + t·(to − from) ≥ 0.
-  void keep(double from, double to) {
-    if (from < 0.0 && to < 0.0) {
-      high = -1.0;
-    } else if (from < 0.0) {
-      low = std::max(low, from / (from - to));
-    } else if (to < 0.0) {
-      high = std::min(high, from / (from - to));
+// What is left of a segment: shares of its length that are cut off from its begin and from its end.
+// Each from its own end, so that an end that is left is itself, however far away the other is.
+struct Cut {
+  double begin = 0.0;
+  double end = 0.0;
+  // Keeps what is between two values, one at each end, and not negative.
+  void keep(double at_begin, double at_end) {
+    if (at_begin < 0.0 && at_end < 0.0) {
+      begin = end = 1.0;
+    } else if (at_begin < 0.0) {
+      begin = std::max(begin, at_begin / (at_begin - at_end));
+    } else if (at_end < 0.0) {
+      end = std::max(end, at_end / (at_end - at_begin));
     }
   }
-  bool empty() const { return !(low < high); }
+  bool all() const { return !(begin + end < 1.0); }
 };
 
 // The part of a segment between two homogeneous points that projects into the square [−1, 1]²;
-// it has third coordinates ≥ 0.
-Interval inside_square(const glm::dvec3& a, const glm::dvec3& b) {
-  Interval inside;
-  inside.keep(a.z - a.x, b.z - b.x);
-  inside.keep(a.z + a.x, b.z + b.x);
-  inside.keep(a.z - a.y, b.z - b.y);
-  inside.keep(a.z + a.y, b.z + b.y);
-  return inside;
+// it has third coordinates ≥ 0. Nothing if none does.
+struct Segment {
+  glm::dvec3 begin, end;
+};
+std::optional<Segment> inside_square(const glm::dvec3& a, const glm::dvec3& b) {
+  Cut cut;
+  cut.keep(a.z - a.x, b.z - b.x);
+  cut.keep(a.z + a.x, b.z + b.x);
+  cut.keep(a.z - a.y, b.z - b.y);
+  cut.keep(a.z + a.y, b.z + b.y);
+  if (cut.all()) return std::nullopt;
+  return Segment{a + cut.begin * (b - a), b - cut.end * (b - a)};
 }
 
 glm::dvec2 project(const glm::dvec3& h) {
@@ -78,11 +83,9 @@ std::optional<Chord> project_edge(const glm::dvec3& point, const glm::dvec3& beg
   const auto seen = [&](const glm::dvec3& e) {
     return glm::dvec3(point.z * e.x - e.z * point.x, point.z * e.y - e.z * point.y, point.z - e.z);
   };
-  const glm::dvec3 a = seen(begin);
-  const glm::dvec3 b = seen(end);
-  const Interval inside = inside_square(a, b);
-  if (inside.empty()) return std::nullopt;
-  return Chord{project(a + inside.low * (b - a)), project(a + inside.high * (b - a))};
+  const std::optional<Segment> inside = inside_square(seen(begin), seen(end));
+  if (!inside) return std::nullopt;
+  return Chord{project(inside->begin), project(inside->end)};
 }
 
 double rectangle_coverage(const glm::dvec3& point, const glm::dvec3& begin, const glm::dvec3& end) {
@@ -122,13 +125,11 @@ double sphere_coverage(const glm::dvec3& point, const glm::dvec3& begin, const g
     // The point itself is on the axis: it adds nothing across but its rounding.
     return glm::dvec3(glm::dot(e, across.u), glm::dot(e, across.v), tan_half * glm::dot(d, axis));
   };
-  const glm::dvec3 a = in_cone(begin);
-  const glm::dvec3 b = in_cone(end);
   // First to the square around the disc: what is left is in front of the point and bounded.
-  const Interval inside = inside_square(a, b);
-  if (inside.empty()) return 0.0;
-  const glm::dvec2 p = project(a + inside.low * (b - a));
-  const glm::dvec2 q = project(a + inside.high * (b - a));
+  const std::optional<Segment> inside = inside_square(in_cone(begin), in_cone(end));
+  if (!inside) return 0.0;
+  const glm::dvec2 p = project(inside->begin);
+  const glm::dvec2 q = project(inside->end);
   // |p + s (q − p)| = 1.
   const glm::dvec2 d = q - p;
   const double dd = glm::dot(d, d);
@@ -139,7 +140,7 @@ double sphere_coverage(const glm::dvec3& point, const glm::dvec3& begin, const g
   const double s_high = std::min(1.0, (-pd + std::sqrt(root)) / dd);
   if (!(s_low < s_high)) return 0.0;
   const glm::dvec2 c0 = p + s_low * d;
-  const glm::dvec2 c1 = p + s_high * d;
+  const glm::dvec2 c1 = s_high < 1.0 ? p + s_high * d : q;
   const double triangle = std::abs(cross_2d(c0, c1));
   const double sector = std::abs(std::atan2(cross_2d(c0, c1), glm::dot(c0, c1)));
   return std::clamp((sector - triangle) / (2.0 * M_PI), 0.0, 0.5);

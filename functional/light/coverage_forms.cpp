@@ -25,7 +25,10 @@ CoverageForms sphere_forms(const glm::dmat4& rows, const glm::dvec3& begin, cons
   const glm::dvec3 along = glm::normalize(edge == glm::dvec3(0.0) ? begin : edge);
   // The foot of the centre on the line, from the nearer end: the farther one would lose its digits.
   const glm::dvec3& nearer = glm::dot(begin, begin) <= glm::dot(end, end) ? begin : end;
-  const glm::dvec3 foot = nearer - glm::dot(nearer, along) * along;
+  // Twice: the first time leaves a part along the line, which beside a line close to the centre is
+  // not small.
+  glm::dvec3 foot = nearer;
+  for (int i = 0; i < 2; ++i) foot -= glm::dot(foot, along) * along;
   const double distance = glm::length(foot);
   const glm::dvec3 out = distance > 0.0 ? foot / distance : Across(along).u;
   const auto component = [&](const glm::dvec3& axis) {

@@ -21,19 +21,20 @@ struct NoShare {
   static constexpr std::size_t kChannels = 1;
 };
 
-// The part [first, last] of a segment that projects into the square [-1, 1]².
-struct Clipped {
-  V first, last;
-  M alive;
+// The shares of a segment that are cut off from its begin and from its end, each from its own end,
+// so that an end that is left is itself, however far away the other is.
+struct Cut {
+  V begin, end;
 };
 
-HWY_INLINE void clip(V f0, V f1, Clipped& part) {
+HWY_INLINE void clip(V f0, V f1, Cut& cut) {
   const V zero = hn::Zero(kTag);
   const M out0 = hn::Lt(f0, zero);
   const M out1 = hn::Lt(f1, zero);
-  const V t = hn::Div(f0, hn::Sub(f0, f1));
-  part.first = hn::IfThenElse(out0, hn::Max(t, part.first), part.first);
-  part.last = hn::IfThenElse(out1, hn::Min(t, part.last), part.last);
+  // Of the end that is outside; both are in lanes that are not alive.
+  const V share = hn::Div(hn::IfThenElse(out0, f0, hn::Neg(f1)), hn::Sub(f0, f1));
+  cut.begin = hn::IfThenElse(out0, hn::Max(cut.begin, share), cut.begin);
+  cut.end = hn::IfThenElse(out1, hn::Max(cut.end, share), cut.end);
 }
 
 // Whether both values are outside.
@@ -80,21 +81,21 @@ HWY_INLINE SeenEdge see_edge(const V* forms) {
                           hn::Or(both_out(c0, c1), both_out(d0, d1)));
   seen.alive = hn::Not(beside);
   if (hn::AllFalse(kTag, seen.alive)) return seen;
-  Clipped part{hn::Zero(kTag), set(1.0F), seen.alive};
-  clip(a0, a1, part);
-  clip(b0, b1, part);
-  clip(c0, c1, part);
-  clip(d0, d1, part);
-  seen.alive = hn::And(seen.alive, hn::Lt(part.first, part.last));
+  Cut cut{hn::Zero(kTag), hn::Zero(kTag)};
+  clip(a0, a1, cut);
+  clip(b0, b1, cut);
+  clip(c0, c1, cut);
+  clip(d0, d1, cut);
+  seen.alive = hn::And(seen.alive, hn::Lt(hn::Add(cut.begin, cut.end), set(1.0F)));
   const V du = hn::Sub(u1, u0);
   const V dv = hn::Sub(v1, v0);
   const V dw = hn::Sub(w1, w0);
-  seen.pu = hn::Add(u0, hn::Mul(part.first, du));
-  seen.pv = hn::Add(v0, hn::Mul(part.first, dv));
-  seen.pw = hn::Add(w0, hn::Mul(part.first, dw));
-  seen.qu = hn::Add(u0, hn::Mul(part.last, du));
-  seen.qv = hn::Add(v0, hn::Mul(part.last, dv));
-  seen.qw = hn::Add(w0, hn::Mul(part.last, dw));
+  seen.pu = hn::Add(u0, hn::Mul(cut.begin, du));
+  seen.pv = hn::Add(v0, hn::Mul(cut.begin, dv));
+  seen.pw = hn::Add(w0, hn::Mul(cut.begin, dw));
+  seen.qu = hn::Sub(u1, hn::Mul(cut.end, du));
+  seen.qv = hn::Sub(v1, hn::Mul(cut.end, dv));
+  seen.qw = hn::Sub(w1, hn::Mul(cut.end, dw));
   return seen;
 }
 

@@ -106,6 +106,12 @@ HWY_INLINE V cone_form(const V3& a, const V3& b) {
   return hn::Sub(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
+// The part [first, last] of a segment, 0 at its begin and 1 at its end.
+struct Clipped {
+  V first, last;
+  M alive;
+};
+
 // The part of a segment a + s·way in the cone x² + y² ≤ z², z > 0; see shader_sphere_coverage.
 HWY_INLINE Clipped clip_by_cone(const V3& a, const V3& way, M alive) {
   const V zero = hn::Zero(kTag);

@@ -21,9 +21,11 @@ Row matrix_row(const traces::fb::Matrix4& matrix, std::uint16_t row) {
   return {at(0), at(1), at(2), at(3)};
 }
 
-// p * f - q * g
-Row combine(const Row& p, double f, const Row& q, double g) {
-  return {p.a * f - q.a * g, p.b * f - q.b * g, p.c * f - q.c * g, p.d * f - q.d * g};
+// p f + q g + r h
+Row combine(const Row& p, double f, const Row& q, double g, const Row& r = {}, double h = 0.0) {
+  const auto form = [](const Row& row) { return datapath::LinearForm{row.a, row.b, row.c, row.d}; };
+  const datapath::LinearForm sum = datapath::combine(form(p), f, form(q), g, form(r), h);
+  return {sum.a, sum.b, sum.c, sum.d};
 }
 
 // With H the point's distance from the light's plane and h the edge's, the line from the point
@@ -35,8 +37,8 @@ RectangleTerms rectangle_terms(const traces::fb::Matrix4& light_from_window,
   const Row h = matrix_row(light_from_window, 2);
   const Row w = matrix_row(light_from_window, 3);
   const auto project = [&](const glm::dvec3& e) {
-    return RectangleTerms::End{combine(h, e.x, u, e.z), combine(h, e.y, v, e.z),
-                               combine(h, 1.0, w, e.z)};
+    return RectangleTerms::End{combine(h, e.x, u, -e.z), combine(h, e.y, v, -e.z),
+                               combine(h, 1.0, w, -e.z)};
   };
   return {{project(begin), project(end)}};
 }
@@ -72,20 +74,21 @@ SphereTermsOf<float> single(const SphereTerms& terms) {
           {real(terms.ends[0]), real(terms.ends[1])}};
 }
 
-// The part [first, last] of a segment, 0 at its begin and 1 at its end.
+// What is left of a segment: shares of its length that are cut off from its begin and from its end.
+// Each from its own end, so that an end that is left is itself, however far away the other is.
 template <typename Real>
-struct Part {
-  Real first = 0.0;
-  Real last = 1.0;
+struct Cut {
+  Real begin = 0.0;
+  Real end = 0.0;
 };
 
 // Keeps the part where a value that goes linearly from f0 to f1 is not negative. False: nothing.
 template <typename Real>
-bool clip(Real f0, Real f1, Part<Real>& part) {
+bool clip(Real f0, Real f1, Cut<Real>& cut) {
   if (f0 < 0.0 && f1 < 0.0) return false;
-  const Real t = f0 / (f0 - f1);
-  if (f0 < 0.0 && t > part.first) part.first = t;
-  if (f1 < 0.0 && t < part.last) part.last = t;
+  const Real share = (f0 < 0.0 ? f0 : -f1) / (f0 - f1);  // of the end that is outside
+  if (f0 < 0.0 && share > cut.begin) cut.begin = share;
+  if (f1 < 0.0 && share > cut.end) cut.end = share;
   return true;
 }
 
@@ -125,7 +128,7 @@ SphereTerms sphere_terms(const std::array<Row, 4>& light, const glm::dvec3& begi
                          const glm::dvec3& end) {
   const datapath::DiscFrame frame = datapath::disc_frame(begin, end);
   const auto component = [&](const glm::dvec3& axis) {
-    return combine(combine(light[0], axis.x, light[1], -axis.y), 1.0, light[2], -axis.z);
+    return combine(light[0], axis.x, light[1], axis.y, light[2], axis.z);
   };
   return {component(frame.along),
           component(frame.out),
@@ -197,20 +200,20 @@ Real coverage(const RectangleTermsOf<Real>& terms, std::type_identity_t<Real> x,
   const Real u1 = terms.ends[1].u.at(x, y, z);
   const Real v1 = terms.ends[1].v.at(x, y, z);
   const Real w1 = terms.ends[1].w.at(x, y, z);
-  Part<Real> part;
-  if (!clip(w0 - u0, w1 - u1, part) || !clip(w0 + u0, w1 + u1, part) ||
-      !clip(w0 - v0, w1 - v1, part) || !clip(w0 + v0, w1 + v1, part)) {
+  Cut<Real> cut;
+  if (!clip(w0 - u0, w1 - u1, cut) || !clip(w0 + u0, w1 + u1, cut) ||
+      !clip(w0 - v0, w1 - v1, cut) || !clip(w0 + v0, w1 + v1, cut)) {
     return 0.0;
   }
-  if (!(part.first < part.last)) return 0.0;
+  if (!(cut.begin + cut.end < 1.0)) return 0.0;
   const Real du = u1 - u0;
   const Real dv = v1 - v0;
   const Real dw = w1 - w0;
-  const Real pu = u0 + part.first * du;
-  const Real pv = v0 + part.first * dv;
-  const Real qu = u0 + part.last * du;
-  const Real qv = v0 + part.last * dv;
-  const Real w = (w0 + part.first * dw) * (w0 + part.last * dw);
+  const Real pu = u0 + cut.begin * du;
+  const Real pv = v0 + cut.begin * dv;
+  const Real qu = u1 - cut.end * du;
+  const Real qv = v1 - cut.end * dv;
+  const Real w = (w0 + cut.begin * dw) * (w1 - cut.end * dw);
   if (!(w > 0.0)) return 0.0;
   Real turn = perimeter(qu, qv) - perimeter(pu, pv);
   if (turn > 4.0) turn = turn - Real(8);

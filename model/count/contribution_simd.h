@@ -103,19 +103,20 @@ V value_of(const LinearTerms& terms, const Here& here) {
   return hn::IfThenElse(hn::Eq(denominator, zero), set(0.5), clamped);
 }
 
-struct Part {
-  V first, last;
+struct Cut {
+  V begin, end;
   M alive;
 };
 
-void clip(V f0, V f1, Part& part) {
+void clip(V f0, V f1, Cut& cut) {
   const V zero = hn::Zero(kTag);
   const M out0 = hn::Lt(f0, zero);
   const M out1 = hn::Lt(f1, zero);
-  const V t = hn::Div(f0, hn::Sub(f0, f1));
-  part.alive = hn::AndNot(hn::And(out0, out1), part.alive);
-  part.first = hn::IfThenElse(hn::And(out0, hn::Gt(t, part.first)), t, part.first);
-  part.last = hn::IfThenElse(hn::And(out1, hn::Lt(t, part.last)), t, part.last);
+  // Of the end that is outside; both are in lanes that are not alive.
+  const V share = hn::Div(hn::IfThenElse(out0, f0, hn::Neg(f1)), hn::Sub(f0, f1));
+  cut.alive = hn::AndNot(hn::And(out0, out1), cut.alive);
+  cut.begin = hn::IfThenElse(hn::And(out0, hn::Gt(share, cut.begin)), share, cut.begin);
+  cut.end = hn::IfThenElse(hn::And(out1, hn::Gt(share, cut.end)), share, cut.end);
 }
 
 V perimeter(V u, V v) {
@@ -129,7 +130,8 @@ V perimeter(V u, V v) {
   return hn::IfThenElse(hn::Eq(denominator, zero), zero, hn::IfThenElse(sideways, side, ends));
 }
 
-V along(V begin, V t, V direction) { return hn::Add(begin, hn::Mul(t, direction)); }
+V after(V begin, V share, V direction) { return hn::Add(begin, hn::Mul(share, direction)); }
+V before(V end, V share, V direction) { return hn::Sub(end, hn::Mul(share, direction)); }
 
 V value_of(const RectangleTerms&, const Here& here) {
   const V u0 = here(0);
@@ -139,26 +141,26 @@ V value_of(const RectangleTerms&, const Here& here) {
   const V v1 = here(4);
   const V w1 = here(5);
   const V zero = hn::Zero(kTag);
-  Part part{zero, set(1.0), hn::Eq(zero, zero)};
-  clip(hn::Sub(w0, u0), hn::Sub(w1, u1), part);
-  clip(hn::Add(w0, u0), hn::Add(w1, u1), part);
-  clip(hn::Sub(w0, v0), hn::Sub(w1, v1), part);
-  clip(hn::Add(w0, v0), hn::Add(w1, v1), part);
-  part.alive = hn::And(part.alive, hn::Lt(part.first, part.last));
+  Cut cut{zero, zero, hn::Eq(zero, zero)};
+  clip(hn::Sub(w0, u0), hn::Sub(w1, u1), cut);
+  clip(hn::Add(w0, u0), hn::Add(w1, u1), cut);
+  clip(hn::Sub(w0, v0), hn::Sub(w1, v1), cut);
+  clip(hn::Add(w0, v0), hn::Add(w1, v1), cut);
+  cut.alive = hn::And(cut.alive, hn::Lt(hn::Add(cut.begin, cut.end), set(1.0)));
   const V du = hn::Sub(u1, u0);
   const V dv = hn::Sub(v1, v0);
   const V dw = hn::Sub(w1, w0);
-  const V pu = along(u0, part.first, du);
-  const V pv = along(v0, part.first, dv);
-  const V qu = along(u0, part.last, du);
-  const V qv = along(v0, part.last, dv);
-  const V w = hn::Mul(along(w0, part.first, dw), along(w0, part.last, dw));
-  part.alive = hn::And(part.alive, hn::Gt(w, zero));
+  const V pu = after(u0, cut.begin, du);
+  const V pv = after(v0, cut.begin, dv);
+  const V qu = before(u1, cut.end, du);
+  const V qv = before(v1, cut.end, dv);
+  const V w = hn::Mul(after(w0, cut.begin, dw), before(w1, cut.end, dw));
+  cut.alive = hn::And(cut.alive, hn::Gt(w, zero));
   V turn = hn::Sub(perimeter(qu, qv), perimeter(pu, pv));
   turn = hn::IfThenElse(hn::Gt(turn, set(4.0)), hn::Sub(turn, set(8.0)), turn);
   turn = hn::IfThenElse(hn::Lt(turn, set(-4.0)), hn::Add(turn, set(8.0)), turn);
   const V cross = hn::Div(hn::Sub(hn::Mul(pu, qv), hn::Mul(pv, qu)), w);
-  return hn::IfThenElseZero(part.alive, hn::Mul(hn::Abs(hn::Sub(turn, cross)), set(0.125)));
+  return hn::IfThenElseZero(cut.alive, hn::Mul(hn::Abs(hn::Sub(turn, cross)), set(0.125)));
 }
 
 V upper_angles(V y, V x) {

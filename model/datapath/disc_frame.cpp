@@ -21,7 +21,10 @@ DiscFrame disc_frame(const glm::dvec3& begin, const glm::dvec3& end) {
   // The foot of the centre on the line, from the nearer end: the farther one would lose its digits.
   const bool begin_nearer = glm::dot(begin, begin) <= glm::dot(end, end);
   const glm::dvec3& nearer = begin_nearer ? begin : end;
-  const glm::dvec3 foot = nearer - glm::dot(nearer, frame.along) * frame.along;
+  // Twice: the first time leaves a part along the line, rounding of the nearer end, which beside a
+  // line close to the centre is not small.
+  glm::dvec3 foot = nearer;
+  for (int i = 0; i < 2; ++i) foot -= glm::dot(foot, frame.along) * frame.along;
   frame.distance = glm::length(foot);
   // A line through the centre is an edge that points at the light: any direction will do.
   frame.out = frame.distance > 0.0 ? foot / frame.distance : across(frame.along);

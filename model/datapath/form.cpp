@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -22,7 +23,31 @@ bool is_unorm(traces::fb::DepthFormat format) {
   return format == traces::fb::DepthFormat_unorm24 || format == traces::fb::DepthFormat_unorm16;
 }
 
+// a0 b0 + a1 b1 + a2 b2. Source: Ogita, Rump and Oishi, "Accurate sum and dot product", Dot2; a
+// fused multiply-add gives the rounding of a product.
+double sum_of_products(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  double sum = 0.0;
+  double lost = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double product = a[i] * b[i];
+    const double before = sum;
+    sum += product;
+    const double added = sum - before;
+    lost += std::fma(a[i], b[i], -product) + ((before - (sum - added)) + (product - added));
+  }
+  return sum + lost;
+}
+
 }  // namespace
+
+LinearForm combine(const LinearForm& p, double f, const LinearForm& q, double g,
+                   const LinearForm& r, double h) {
+  const auto coefficient = [&](double LinearForm::*of) {
+    return sum_of_products({p.*of, q.*of, r.*of}, {f, g, h});
+  };
+  return {coefficient(&LinearForm::a), coefficient(&LinearForm::b), coefficient(&LinearForm::c),
+          coefficient(&LinearForm::d)};
+}
 
 ZSteps::ZSteps(traces::fb::DepthFormat format, std::span<const std::uint32_t> words)
     : format_(format), one_(is_unorm(format) ? traces::sky_word(format) : kFloatSteps) {

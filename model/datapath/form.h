@@ -14,10 +14,10 @@ struct LinearForm {
   double a = 0.0, b = 0.0, c = 0.0, d = 0.0;
 };
 
-/// p * f + q * g
-constexpr LinearForm combine(const LinearForm& p, double f, const LinearForm& q, double g) {
-  return {p.a * f + q.a * g, p.b * f + q.b * g, p.c * f + q.c * g, p.d * f + q.d * g};
-}
+/// p f + q g + r h. Each coefficient is within 2^-52 of its value plus 2^-104 of its terms, which
+/// may be far larger: those of c and d are, where depth is coarse.
+LinearForm combine(const LinearForm& p, double f, const LinearForm& q, double g,
+                   const LinearForm& r = {}, double h = 0.0);
 
 /// How the datapath sees a stored depth: a whole number of steps, more of them farther away.
 /// unorm words are taken as they are, float32 is rounded to 2^-26. float32_reversed keeps its

@@ -61,29 +61,25 @@ RectangleSetup rectangle_setup(const Matrix4& light_from_window, const glm::dvec
     }
     return result;
   };
-  const auto project = [&](const glm::dvec3& e) {
-    return std::array{combine(h, e.x, u, -e.z), combine(h, e.y, v, -e.z), combine(h, 1.0, w, -e.z)};
+  const auto project = [&](const glm::dvec3& e) -> RectangleSetup::End {
+    const auto forms = fixed(
+        std::array{combine(h, e.x, u, -e.z), combine(h, e.y, v, -e.z), combine(h, 1.0, w, -e.z)});
+    return {forms[0], forms[1], forms[2]};
   };
-  const auto first = project(begin);
-  const auto last = project(end);
-  const auto ends = fixed(std::array{first[0], first[1], first[2], last[0], last[1], last[2]});
   const glm::dvec3 edge = end - begin;
   const glm::dvec3 normal = glm::cross(begin, end);
-  const auto line = fixed(std::array{combine(combine(h, -edge.y, v, edge.z), 1.0, w, -normal.x),
-                                     combine(combine(h, edge.x, u, -edge.z), 1.0, w, -normal.y),
-                                     combine(combine(h, normal.z, v, normal.y), 1.0, u, normal.x)});
-  return {{RectangleSetup::End{ends[0], ends[1], ends[2]},
-           RectangleSetup::End{ends[3], ends[4], ends[5]}},
-          {line[0], line[1], line[2]}};
+  const auto line = fixed(std::array{combine(h, -edge.y, v, edge.z, w, -normal.x),
+                                     combine(h, edge.x, u, -edge.z, w, -normal.y),
+                                     combine(h, normal.z, v, normal.y, u, normal.x)});
+  return {{project(begin), project(end)}, {line[0], line[1], line[2]}};
 }
 
 DiscSetup disc_setup(const Matrix4& light_from_window, const glm::dvec3& begin,
                      const glm::dvec3& end, const ZSteps& steps, const Formats& formats) {
   const LinearForm w = matrix_row(light_from_window, 3);
   const auto component = [&](const glm::dvec3& axis) {
-    const LinearForm xy =
-        combine(matrix_row(light_from_window, 0), axis.x, matrix_row(light_from_window, 1), axis.y);
-    return combine(xy, 1.0, matrix_row(light_from_window, 2), axis.z);
+    const auto row = [&](std::uint16_t i) { return matrix_row(light_from_window, i); };
+    return combine(row(0), axis.x, row(1), axis.y, row(2), axis.z);
   };
   const DiscFrame frame = disc_frame(begin, end);
   const LinearForm along = component(frame.along);

@@ -225,6 +225,28 @@ TEST(Coverage, NearContact) {
   }
 }
 
+// The end of a long edge next to the centre decides its angle there: cut off outside the light, the
+// edge covers as much.
+TEST(Coverage, EndsNextToTheCentreOfLongEdges) {
+  Random random(57);
+  for (int i = 0; i < 20000; ++i) {
+    const glm::dvec3 point(0.0, 0.0, random.uniform(4.0, 8.0));
+    const double off = std::ldexp(random.uniform(0.5, 1.0), -random.whole(0, 30));
+    const glm::dvec3 end =
+        glm::dvec3(0.0, 0.0, 1.0) + off * glm::dvec3(glm::normalize(glm::dvec2(1.0, 0.3)), 0.0);
+    const double turn = random.uniform(0.0, 6.3);
+    const glm::dvec3 way(std::cos(turn), std::sin(turn), 0.0);
+    const glm::dvec3 begin = end + std::ldexp(1.0, random.whole(5, 20)) * way;
+    const glm::dvec3 cut = end + 4.0 * way;
+    const glm::dvec3 up(0.0, 0.0, 1.0);  // clear of the sphere
+    ASSERT_NEAR(rectangle_coverage(point, begin, end), rectangle_coverage(point, cut, end), 1e-9)
+        << "case " << i;
+    ASSERT_NEAR(sphere_coverage(point, begin + up, end + up),
+                sphere_coverage(point, cut + up, end + up), 1e-9)
+        << "case " << i;
+  }
+}
+
 // An edge seen along a ray from the light's centre hides nothing, whatever rounding says about the
 // corner that the ray passes through.
 TEST(Coverage, RadialEdgesHideNothing) {

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "model/count/atan.h"
+#include "model/datapath/disc_frame.h"
 #include "traces/trace.h"
 
 namespace wedgesim::model {
@@ -220,6 +221,15 @@ TEST(SphereCoverage, KeepsItsDigitsOnLongEdges) {
     EXPECT_GT(whole, 0.001) << ratio;
     EXPECT_NEAR(covers(begin, middle) + covers(middle, end), whole, 1e-9) << ratio;
   }
+}
+
+// And one that all but points at the light's centre: what is left along its line in the way out to
+// the line, as small as rounding, would be multiplied by the point's distance.
+TEST(SphereCoverage, KeepsItsDigitsOnEdgesThatPointAtTheLight) {
+  const glm::dvec3 begin(-0x1p-17, -4.5, 0.0), end(-0x1p-17, -4.3125, -0x1p-17);
+  const datapath::DiscFrame frame = datapath::disc_frame(begin, end);
+  EXPECT_LT(frame.distance, 1e-3);
+  EXPECT_NEAR(glm::dot(frame.out, frame.along), 0.0, 1e-16);
 }
 
 // A light, and a wedge under it, whose points in light space are those of a matrix.

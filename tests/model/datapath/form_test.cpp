@@ -35,6 +35,21 @@ TEST(ZSteps, KeepUnormWordsAndRoundFloats) {
   EXPECT_EQ(steps.of_word(traces::encode_depth(DepthFormat::DepthFormat_float32, 0.25)), 1 << 24);
 }
 
+// Products that cancel down to what rounding them would have lost.
+TEST(LinearForm, CombineKeepsWhatIsLeftOfLargeTerms) {
+  const double tiny = 0x1p-30;
+  const LinearForm p{1.0 + tiny, 1e9 + tiny, 1.0, 0.0};
+  const LinearForm q{1.0 + 2.0 * tiny, 1e9, tiny, 5.0};
+  const LinearForm two = combine(p, 1.0 + tiny, q, -1.0);
+  EXPECT_EQ(two.a, tiny * tiny);
+  EXPECT_EQ(two.c, 1.0);
+  EXPECT_EQ(two.d, -5.0);
+  // The first two cancel down to a digit, which the third one takes away.
+  const LinearForm three = combine(p, 1.0, q, -1.0, LinearForm{1.0, 1.0, 0.0, 0.0}, -tiny);
+  EXPECT_EQ(three.a, -2.0 * tiny);
+  EXPECT_EQ(three.b, p.b - q.b - tiny);
+}
+
 // Does a reversed depth keep its precision however near the far plane the frame lies?
 TEST(ZSteps, OfReversedDepthsCountBackFromTheFarPlane) {
   const auto format = DepthFormat::DepthFormat_float32_reversed;

@@ -141,6 +141,37 @@ TEST(Contribution, IsWithinItsStatedErrorForPointsLightsAndEdgesAtRandom) {
   }
 }
 
+// Edges with one end so far away that the other would have no digits on its exponent. The reference
+// is double precision with the edge cut off outside the light.
+TEST(Contribution, EndsThatAreNearKeepTheirDigits) {
+  const unsigned seed = 2005;
+  std::cout << "seed " << seed << '\n';
+  std::mt19937 random(seed);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const ZSteps steps(traces::fb::DepthFormat_unorm24);
+  const Formats formats;
+  std::size_t lit = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const glm::dvec3 point{uniform(-3.0, 3.0), uniform(-3.0, 3.0), uniform(4.0, 20.0)};
+    const glm::dvec3 image{uniform(-0.9, 0.9), uniform(-0.9, 0.9), 0.0};
+    const glm::dvec3 begin = image + (point - image) * uniform(0.2, 0.8);
+    const double angle = uniform(0.0, 6.3);
+    const glm::dvec3 way{std::cos(angle), std::sin(angle), 0.0};
+    const glm::dvec3 end = begin + way * std::exp2(uniform(10.0, 50.0));
+    const OnePoint one(traces::fb::LightShape_rectangle, point, 1.0, begin, end);
+    const OnePoint cut(traces::fb::LightShape_rectangle, point, 1.0, begin, begin + 8.0 * way);
+    const double exact =
+        model::contribution(model::light_terms(cut.trace.view(), cut.wedge), 0.5, 0.5, 0.5);
+    const double fixed = contribution(light_setup(one.trace.view(), one.wedge, steps, formats),
+                                      {1, 1, 8388608}, formats.round());
+    ASSERT_NEAR(exact, fixed, 1e-4) << "case " << i;
+    lit += exact > 1e-3 ? 1 : 0;
+  }
+  EXPECT_GT(lit, 10000U);
+}
+
 // Edges of which one end is seen before a corner of the light, but for rounding: the end and the
 // line through both may be on different sides of that corner.
 TEST(Contribution, EndsBeforeACornerOfTheLight) {
