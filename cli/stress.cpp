@@ -161,7 +161,7 @@ Command add_stress(CLI::App& program) {
       "  wedgesim stress -o out/stress\n"
       "  wedgesim stress --family grazing-edge,offset\n"
       "  wedgesim stress --replay small-light,1,1e-8 -o small\n"
-      "  wedgesim stress --replay distance-ratio,0,1e8 --shrink --arithmetic fixed");
+      "  wedgesim stress --replay line-light,0,1e-8 --shrink --arithmetic fixed");
   return {app, [arguments] { return run(*arguments); }};
 }
 

@@ -11,27 +11,22 @@
 namespace wedgesim::model {
 namespace {
 
-// Of what a step of stored z changes in a plane: several planes may err at one pixel.
-constexpr double kMostSteps = 1.0 / 8.0;
-// Forms that are off by so much of the tolerance, of their own value, show in no word.
-constexpr double kLeast = 0x1p-13;
+// Forms are moved one at a time, but it is the differences of two that sides are told by.
+constexpr double kTogether = 2.0;
 
-// A form at a point: how far its value may be off, and what a step of stored z changes in it.
+// A form at a point, and how far its value may be off.
 struct Reading {
-  double value = 0.0, error = 0.0, per_step = 0.0;
-  bool is_unsure() const { return std::fabs(value) <= error && error > kMostSteps * per_step; }
+  double value = 0.0, error = 0.0;
+  bool is_unsure() const { return std::fabs(value) <= error; }
 };
 
 struct Point {
   double x = 0.0, y = 0.0, z = 0.0;  // as the datapath takes them
-  double step = 0.0;                 // of stored depth
-  double one = 0.0;                  // steps of the fixed datapath in window depth 1
 };
 
 Reading read(const datapath::FixedForm& form, const Point& p) {
-  const double slope = std::fabs(static_cast<double>(form.c));
   return {static_cast<double>(form.at(datapath::place(p.x, p.y, p.z))),
-          p.x + p.y + 0.5 * (std::fabs(p.z) + 1.0), slope * p.step};
+          p.x + p.y + 0.5 * (std::fabs(p.z) + 1.0)};
 }
 
 template <typename Real>
@@ -41,7 +36,7 @@ Reading read(const RowOf<Real>& row, const Point& p) {
   constexpr double kUnit = 0.5 * static_cast<double>(std::numeric_limits<Real>::epsilon());
   return {static_cast<double>(
               row.at(static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z))),
-          4.0 * kUnit * terms, size(row.c) * p.step};
+          4.0 * kUnit * terms};
 }
 
 Reading read(const Plane& plane, const Point& p) {
@@ -105,12 +100,8 @@ void for_each_form(LightTerms& terms, F f) {
   visit(std::get<RectangleTerms>(terms));
 }
 
-// In floating point an edge is clipped to a rectangle by shares of its length: what is small beside
-// the edge as seen from the point is lost.
-template <typename Terms>
-double lost_by_clipping(const Terms&, const Point&) {
-  return 0.0;
-}
+// What moving forms one at a time does not show. In floating point an edge is clipped to a
+// rectangle by shares of its length: what is small beside the edge as seen from the point is lost.
 template <typename Real>
 double lost_by_clipping(const RectangleTermsOf<Real>& terms, const Point& p) {
   double reach = 0.0;
@@ -121,8 +112,35 @@ double lost_by_clipping(const RectangleTermsOf<Real>& terms, const Point& p) {
   }
   return 2.0 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * reach / height;
 }
-double lost_by_clipping(const LightTerms& terms, const Point& p) {
-  const auto visit = [&](const auto& of) { return lost_by_clipping(of, p); };
+double lost_by_clipping(const datapath::RectangleSetup&, const Point&) { return 0.0; }
+
+// And an edge that may be behind the point as well as before it may be anywhere; so may an end, if
+// its way there is not sure either.
+template <typename Terms>
+double lost_together(const Terms&, const Point&) {
+  return 0.0;
+}
+template <typename Rectangle>
+double lost_rectangle(const Rectangle& terms, const Point& p) {
+  const auto is_unsure = [&](const auto& form) { return read(form, p).is_unsure(); };
+  const auto is_behind = [&](const auto& end) { return is_unsure(end.w); };
+  const auto is_anywhere = [&](const auto& end) {
+    return is_behind(end) && (is_unsure(end.u) || is_unsure(end.v));
+  };
+  const bool lost =
+      std::ranges::all_of(terms.ends, is_behind) || std::ranges::any_of(terms.ends, is_anywhere);
+  return lost ? 1.0 : lost_by_clipping(terms, p);
+}
+template <typename Real>
+double lost_together(const RectangleTermsOf<Real>& terms, const Point& p) {
+  return lost_rectangle(terms, p);
+}
+double lost_together(const datapath::RectangleSetup& setup, const Point& p) {
+  return lost_rectangle(setup, p);
+}
+double lost_together(const LightTerms& terms, const Point& p) {
+  const auto visit = [&](const auto& of) { return lost_together(of, p); };
+  if (const auto* fixed = std::get_if<FixedTerms>(&terms)) return std::visit(visit, fixed->setup);
   if (const auto* single = std::get_if<SingleTerms>(&terms)) return std::visit(visit, *single);
   if (const auto* rectangle = std::get_if<RectangleTerms>(&terms)) return visit(*rectangle);
   return 0.0;
@@ -156,8 +174,8 @@ struct Range {
 class PixelShare {
  public:
   /// \param terms  those of the primitive, to be moved and put back
-  PixelShare(const Primitive& primitive, LightTerms& terms, bool wedge, bool polygon, double least)
-      : primitive_(primitive), terms_(terms), wedge_(wedge), polygon_(polygon), least_(least) {}
+  PixelShare(const Primitive& primitive, LightTerms& terms, bool wedge, bool polygon)
+      : primitive_(primitive), terms_(terms), wedge_(wedge), polygon_(polygon) {}
 
   /// As the datapath gives it.
   double at(const Point& p) const {
@@ -228,13 +246,12 @@ class PixelShare {
   double light(const Point& p) const { return contribution(terms_, p.x, p.y, p.z); }
 
   double light_off(const Point& p, double value) const {
-    double sum = std::min(lost_by_clipping(terms_, p), 1.0);
+    double sum = std::min(lost_together(terms_, p), 1.0);
     for_each_form(terms_, [&](auto& form) {
       const Reading reading = read(form, p);
-      if (reading.error <= least_ * std::fabs(reading.value)) return;
       const auto kept = form;
       double most = 0.0;
-      for (const double by : {-reading.error, reading.error}) {
+      for (const double by : {-kTogether * reading.error, kTogether * reading.error}) {
         shift(form, by);
         most = std::max(most, std::fabs(light(p) - value));
         form = kept;
@@ -247,7 +264,6 @@ class PixelShare {
   const Primitive& primitive_;
   LightTerms& terms_;
   bool wedge_, polygon_;
-  double least_;  // forms off by less of their value are right
 };
 
 }  // namespace
@@ -258,7 +274,6 @@ RoundingBound::RoundingBound(const Operands& operands, const Datapath& datapath)
   const datapath::ZSteps steps(format, trace.depth);
   const bool fixed = datapath.kind == DatapathKind::fixed;
   const bool single = datapath.kind == DatapathKind::float32;
-  tolerance_ = datapath.tolerance();
   const auto unrounded = [&](std::uint32_t word) {
     return fixed ? steps.unrounded(word) : traces::decode_depth(format, word);
   };
@@ -273,18 +288,16 @@ RoundingBound::RoundingBound(const Operands& operands, const Datapath& datapath)
     const double z = operands.depth(word);
     pixel.z[0] = z;
     if (unrounded(word) != z) {
-      const auto next = [&](float to) {
+      const auto beside = [&](float to) {
         return static_cast<double>(std::nextafter(static_cast<float>(z), to));
       };
-      pixel.z[1] = single ? next(0.0F) : z - 1.0;
-      pixel.z[2] = single ? next(1.0F) : z + 1.0;
+      pixel.z[1] = single ? beside(0.0F) : z - 1.0;
+      pixel.z[2] = single ? beside(1.0F) : z + 1.0;
       pixel.depths = 3;
     }
-    const auto step = [&](int farther) {
-      return unrounded(traces::step_depth(format, word, farther)) - unrounded(word);
-    };
-    pixel.nearer = step(-1);
-    pixel.farther = step(1);
+    const auto next = [&](int farther) { return traces::step_depth(format, word, farther); };
+    pixel.nearer = operands.depth(next(-1));
+    pixel.farther = operands.depth(next(1));
     pixels_.push_back(pixel);
   }
 }
@@ -297,20 +310,19 @@ std::vector<Doubt> RoundingBound::operator()(const Primitive& primitive) const {
     const bool polygon =
         primitive.polygon && primitive.polygon->outline.covers(pixel.column, pixel.row);
     if (!wedge && !polygon) continue;
-    const PixelShare share(primitive, terms, wedge, polygon, kLeast * tolerance_);
+    const PixelShare share(primitive, terms, wedge, polygon);
     Range range;
     const auto point = [&](std::size_t k) {
-      return Point{pixel.column + 0.5, pixel.row + 0.5, pixel.z[k],
-                   std::max(-pixel.nearer, pixel.farther)};
+      return Point{pixel.column + 0.5, pixel.row + 0.5, pixel.z[k]};
     };
     for (std::size_t k = 0; k < pixel.depths; ++k) share.add(point(k), range);
     Doubt doubt;
     doubt.pixel = pixel.index;
     const double own = share.at(point(0));
     doubt.li = std::max(range.high - own, own - range.low);
-    const auto change = [&](double step) {
+    const auto change = [&](double z) {
       Point moved = point(0);
-      moved.z += step;
+      moved.z = z;
       return share.at(moved) - own;
     };
     doubt.nearer = change(pixel.nearer);

@@ -23,12 +23,11 @@ struct Doubt {
 /// - `fixed`: half a unit in each coefficient, (X + Y + Z + 1) / 2 units, X and Y the pixel's in
 ///   half pixels, Z its depth in steps;
 /// - in floating point: 4 u (|a| X + |b| Y + |c| Z + |d|), u = 2^-24 or 2^-53.
-/// A plane within E of 0 may be decided either way, unless E is below an eighth of what a step of
-/// stored z changes in it, which the pixel's sensitivity allows. The light intensity or coverage is
-/// off by the sum of what moving each of its forms by its E changes. Where several stored depths
-/// share one depth of the datapath, the next depths on either side are asked, too.
-/// A bound to first order: forms are moved one at a time. What the trace's own numbers, in double,
-/// have lost is not in it.
+/// A plane within E of 0 may be decided either way. The light intensity or coverage is off by the
+/// sum of what moving each of its forms by 2 E changes: sides are told by differences of two. Where
+/// several stored depths share one depth of the datapath, the next depths on either side are asked,
+/// too. A bound to first order: forms are moved one at a time. What the trace's own numbers, in
+/// double, have lost is not in it.
 class RoundingBound {
  public:
   /// \param operands  of the same datapath
@@ -43,10 +42,9 @@ class RoundingBound {
     int column = 0, row = 0;
     std::array<double, 3> z{};  // the datapath's, and where depths share one, its neighbours
     std::size_t depths = 1;     // how many of z
-    double nearer = 0.0, farther = 0.0;  // steps of stored depth, in the unit of z
+    double nearer = 0.0, farther = 0.0;  // of the stored depths beside it
   };
   std::vector<Pixel> pixels_;
-  double tolerance_ = 0.0;
 };
 
 }  // namespace wedgesim::model

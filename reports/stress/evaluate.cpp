@@ -1,24 +1,16 @@
 #include "reports/stress/evaluate.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <optional>
 
 #include "reports/stress/exact_plane.h"
-#include "reports/stress/light_rounding.h"
-#include "reports/stress/linear_rounding.h"
 #include "traces/depth.h"
 
 namespace wedgesim::reports::stress {
 namespace {
 
 using model::Primitive;
-
-// Of a plane made in double precision from a scene, and of its value: half units in the last place
-// of its terms.
-constexpr double kRoundings = 16.0;
 
 // A contribution may leave [0, 1] by its own rounding.
 constexpr double kRounding = 1e-4;
@@ -36,7 +28,6 @@ class Walk {
  public:
   Walk(const traces::TraceView& trace, model::ZMethod method, const model::Datapath& datapath)
       : trace_(trace), method_(method), datapath_(datapath), operands_(trace, datapath_) {
-    if (datapath.kind == model::DatapathKind::exact) linear_rounding_.emplace(trace);
     const auto width = static_cast<std::size_t>(trace.header.width);
     for (std::size_t i = 0; i < trace.depth.size(); ++i) {
       pixels_.push_back({i, static_cast<int>(i % width), static_cast<int>(i / width),
@@ -63,7 +54,7 @@ class Walk {
     const std::vector<std::int64_t> before = result_.sums;
     add_polygon(primitive);
     if (primitive.wedge) add_wedge(primitive);
-    Evaluation::Part part{number, {}, is_uncertain(primitive), rounding_of(primitive)};
+    Evaluation::Part part{number, {}};
     for (std::size_t i = 0; i < before.size(); ++i) {
       const std::int64_t change = result_.sums[i] - before[i];
       if (change != 0) part.shares.push_back({i, static_cast<double>(change) / datapath_.one()});
@@ -137,67 +128,6 @@ class Walk {
     result_.sums[p.index] += wedge.coverage && !is_inner(wedge, p) ? -word : word;
   }
 
-  // LI jumps across an umbra polygon's plane, and across those of a `linear` wedge.
-  bool is_uncertain(const Primitive& primitive) const {
-    const model::RasterUmbra* umbra = primitive.polygon ? &*primitive.polygon : nullptr;
-    if (datapath_.kind != model::DatapathKind::exact) return false;  // its planes are others
-    if (umbra != nullptr && umbra->cap) return false;
-    const bool linear = primitive.wedge && !primitive.coverage;
-    return std::any_of(pixels_.begin(), pixels_.end(), [&](const Pixel& p) {
-      const bool here = (umbra != nullptr && umbra->outline.covers(p.x, p.y)) ||
-                        (primitive.wedge && primitive.faces_cover(p.x, p.y));
-      if (!here) return false;
-      if (may_err(primitive.wedge ? primitive.inner : umbra->inner, p)) return true;
-      return linear && std::any_of(primitive.planes.begin(), primitive.planes.end(),
-                                   [&](const model::Plane& plane) { return may_err(plane, p); });
-    });
-  }
-
-  double rounding_of(const Primitive& wedge) const {
-    if (!linear_rounding_ || !wedge.wedge) return 0.0;
-    double worst = 0.0;
-    for (const Pixel& p : pixels_) {
-      if (!wedge.faces_cover(p.x, p.y) || p.z < wedge.z.min || p.z > wedge.z.max) continue;
-      const double x = p.centre_x(), y = p.centre_y();
-      worst = std::max(worst, wedge.coverage ? light_rounding(trace_, trace_.wedges[*wedge.wedge],
-                                                              x, y, p.window_z)
-                                             : (*linear_rounding_)(*wedge.wedge, x, y, p.window_z));
-    }
-    return worst;
-  }
-
-  // Whether a plane's value at a pixel is within what rounding in double precision explains: of its
-  // terms in the window, and of those that its value at the eye was made from in the world.
-  bool may_err(const model::Plane& plane, const Pixel& p) const {
-    const double size = std::fabs(plane.a) * trace_.header.width +
-                        std::fabs(plane.b) * trace_.header.height + std::fabs(plane.c) +
-                        std::fabs(plane.d) + world_terms(plane, p.window_z);
-    const double value =
-        ((plane.a * p.centre_x() + plane.b * p.centre_y()) + plane.c * p.window_z) + plane.d;
-    return std::fabs(value) <= kRoundings * 0x1p-53 * size;
-  }
-
-  // In window units: world planes go through the light, which is as far as this from the eye.
-  double world_terms(const model::Plane& plane, double z) const {
-    const traces::Camera& camera = trace_.header.camera;
-    const auto& from_world = *camera.window_from_world.columns();
-    const auto& to_world = *camera.world_from_window.columns();
-    const std::array terms{plane.a, plane.b, plane.c, plane.d};
-    const auto dot = [&](std::size_t column) {
-      double sum = 0.0;
-      for (std::size_t row = 0; row < terms.size(); ++row) {
-        sum += terms[row] * from_world[static_cast<std::uint16_t>(4 * column + row)];
-      }
-      return sum;
-    };
-    const double normal = std::hypot(dot(0), dot(1), dot(2));
-    const traces::fb::Vec3& light = trace_.header.lights.front().centre;
-    const double to_eye = std::hypot(light.x() - camera.eye.x(), light.y() - camera.eye.y(),
-                                     light.z() - camera.eye.z());
-    const double per_distance = to_world[11] * z + to_world[15];
-    return normal * to_eye * per_distance;
-  }
-
   bool is_inner(const Primitive& wedge, const Pixel& p) const {
     if (wedge.polygon && wedge.polygon->outline.covers(p.x, p.y)) {
       return model::is_inner(*wedge.polygon, true, p.centre_x(), p.centre_y(), p.z);
@@ -209,7 +139,6 @@ class Walk {
   model::ZMethod method_;
   model::Datapath datapath_;
   model::Operands operands_;
-  std::optional<LinearRounding> linear_rounding_;  // of the exact datapath
   std::vector<Pixel> pixels_;
   Evaluation result_;
 };

@@ -29,11 +29,6 @@ struct Evaluation {
   struct Part {
     std::uint32_t number = 0;   // of the primitive, as in wedges_at
     std::vector<Share> shares;  // by pixel; not where it does nothing
-    /// Of the exact datapath: at a pixel, rounding may decide a plane that LI jumps across.
-    bool uncertain = false;
-    /// Of the exact datapath: what rounding of its edge, or of its planes if it is `linear`, may
-    /// move at the worst pixel inside it.
-    double rounding = 0.0;
   };
   std::vector<Part> parts;  // of all primitives, the wedges first
 };

@@ -33,8 +33,13 @@ double rounded_together(std::uint32_t contributions, const model::Datapath& data
 class Flagging {
  public:
   Flagging(const traces::TraceView& trace, const model::Datapath& datapath,
-           const Evaluation& evaluation, const Evaluation& exact)
-      : trace_(trace), datapath_(datapath), evaluation_(evaluation), exact_(exact) {}
+           const Evaluation& evaluation, const Evaluation& exact,
+           const std::vector<TraceRounding>& roundings)
+      : trace_(trace),
+        datapath_(datapath),
+        evaluation_(evaluation),
+        exact_(exact),
+        roundings_(roundings) {}
 
   std::vector<Flagged> run() {
     foreseen_ = true;
@@ -42,7 +47,7 @@ class Flagging {
       add_at([&](std::size_t i) { return !datapath_.li_holds(evaluation_.sums[i]); },
              "LI leaves its word at a pixel");
     }
-    if (datapath_.kind == model::DatapathKind::exact) add_constants();
+    add_constants();
     add_uncertain();
     add_doubtful();
     if (datapath_.kind == model::DatapathKind::exact) {
@@ -73,19 +78,20 @@ class Flagging {
     }
   }
 
+  // Of the trace's numbers, which are double precision.
   void add_constants() {
-    for (const model::WedgeFlag& found : model::flag_wedges(trace_, datapath_)) {
+    for (const model::WedgeFlag& found : model::flag_wedges(trace_, {})) {
       add(found.wedge, model::describe(found.reason));
     }
   }
 
   // What the trace's matrices and planes, in double precision, have lost: all datapaths lack it.
   void add_uncertain() {
-    for (const Evaluation::Part& part : exact_.parts) {
-      if (part.uncertain) {
-        add(part.number, "a plane of it passes a pixel by less than its rounding");
-      } else if (part.rounding > 0.25 * datapath_.tolerance()) {
-        add(part.number, "rounding may move its edge or its planes by a quarter of the bar");
+    for (const TraceRounding& rounding : roundings_) {
+      if (rounding.uncertain) {
+        add(rounding.number, "a plane of it passes a pixel by less than its rounding");
+      } else if (rounding.moved > 0.25 * datapath_.tolerance()) {
+        add(rounding.number, "rounding may move its edge or its planes by a quarter of the bar");
       }
     }
   }
@@ -165,6 +171,7 @@ class Flagging {
   const model::Datapath& datapath_;
   const Evaluation& evaluation_;
   const Evaluation& exact_;
+  const std::vector<TraceRounding>& roundings_;
   std::map<std::uint32_t, Flagged> flagged_;
   bool foreseen_ = false;
 };
@@ -172,8 +179,9 @@ class Flagging {
 }  // namespace
 
 std::vector<Flagged> flag(const traces::TraceView& trace, const model::Datapath& datapath,
-                          const Evaluation& evaluation, const Evaluation& exact) {
-  return Flagging(trace, datapath, evaluation, exact).run();
+                          const Evaluation& evaluation, const Evaluation& exact,
+                          const std::vector<TraceRounding>& roundings) {
+  return Flagging(trace, datapath, evaluation, exact, roundings).run();
 }
 
 }  // namespace wedgesim::reports::stress

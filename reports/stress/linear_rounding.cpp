@@ -100,7 +100,7 @@ LinearRounding::LinearRounding(const traces::TraceView& trace)
 }
 
 std::vector<LinearRounding::Corner> LinearRounding::corners() const {
-  std::map<std::uint32_t, std::uint32_t> by_left;  // plane to wedge
+  std::multimap<std::uint32_t, std::uint32_t> by_left;  // plane to wedge
   const auto count = static_cast<std::uint32_t>(trace_.wedges.size());
   for (std::uint32_t w = 0; w < count; ++w) {
     if (trace_.wedges[w].kind() == traces::fb::WedgeKind_linear) {
@@ -110,8 +110,15 @@ std::vector<LinearRounding::Corner> LinearRounding::corners() const {
   std::vector<Corner> corners;
   for (std::uint32_t w = 0; w < count; ++w) {
     if (trace_.wedges[w].kind() != traces::fb::WedgeKind_linear) continue;
-    const auto next = by_left.find(plane_of(trace_.wedges[w], kRight));
-    if (next != by_left.end()) corners.push_back({w, next->second});
+    // Corners opposite one another in a symmetric loop share their plane, too: the next wedge is
+    // the one that begins where this one ends.
+    const auto [first, last] = by_left.equal_range(plane_of(trace_.wedges[w], kRight));
+    const glm::dvec3 end = vertex(w, kRight);
+    const auto next = std::min_element(first, last, [&](const auto& a, const auto& b) {
+      return glm::distance(vertex(a.second, kLeft), end) <
+             glm::distance(vertex(b.second, kLeft), end);
+    });
+    if (next != last) corners.push_back({w, next->second});
   }
   return corners;
 }
@@ -119,11 +126,7 @@ std::vector<LinearRounding::Corner> LinearRounding::corners() const {
 // The normals of front and back plane are products of the ways to the edge's ends from a point of
 // the light, which is known to its own rounding; they go through that point.
 void LinearRounding::lose_edges(const std::vector<Corner>& corners) {
-  for (const auto& [w, next] : corners) {
-    const auto plane = [&](Side side) { return world_plane(trace_, trace_.wedges[w], side); };
-    const glm::dvec3 vertex = common_point(plane(kFront), plane(kBack), plane(kRight));
-    ends_[w][1] = ends_[next][0] = vertex;
-  }
+  for (const auto& [w, next] : corners) ends_[w][1] = ends_[next][0] = vertex(w, kRight);
   for (std::uint32_t w = 0; w < losses_.size(); ++w) {
     const auto& [begin, end] = ends_[w];
     const double product = glm::length(begin) * glm::length(end);
@@ -138,6 +141,14 @@ void LinearRounding::lose_edges(const std::vector<Corner>& corners) {
   }
 }
 
+// Of the edge, where its front and back plane meet a side plane.
+glm::dvec3 LinearRounding::vertex(std::uint32_t wedge, std::size_t side) const {
+  const auto plane = [&](std::size_t of) {
+    return world_plane(trace_, trace_.wedges[wedge], static_cast<Side>(of));
+  };
+  return common_point(plane(kFront), plane(kBack), plane(side));
+}
+
 void LinearRounding::lose_sides(const Corner& corner) {
   const auto& [w, next] = corner;
   const auto line = [&](Side side) {
@@ -148,17 +159,17 @@ void LinearRounding::lose_sides(const Corner& corner) {
                    losses_[w][side].turn + losses_[next][side].turn);
   };
   const Meeting front = line(kFront), back = line(kBack);
-  const glm::dvec3& vertex = ends_[w][1];
-  const glm::dvec3 ray = vertex - front.point;
+  const glm::dvec3& at = ends_[w][1];
+  const glm::dvec3 ray = at - front.point;
   const double apart = glm::length(glm::cross(ray, back.point - front.point)) / glm::length(ray);
   const double size = std::max(glm::length(touched(w, kFront)), glm::length(touched(w, kBack)));
   // Of a plane made otherwise, by the quads, nothing is in a trace.
   const double turn =
       apart > functional::kOneLine * size ? kUnit + (front.error + back.error) / apart : 1.0;
   const double nearer = std::min(glm::length(ends_[w][0]), glm::length(ends_[next][1]));
-  const bool far = glm::length(vertex) > functional::kFarVertex * nearer;
+  const bool far = glm::length(at) > functional::kFarVertex * nearer;
   losses_[w][kRight] = losses_[next][kLeft] = {std::min(1.0, known(turn)),
-                                               known(glm::length(far ? front.point : vertex))};
+                                               known(glm::length(far ? front.point : at))};
 }
 
 glm::dvec3 LinearRounding::touched(std::uint32_t wedge, std::size_t side) const {

@@ -32,6 +32,7 @@ class LinearRounding {
   using Losses = std::array<Loss, 4>;           // front, back, left, right
   using Corner = std::array<std::uint32_t, 2>;  // the wedge that ends there, and the next
   std::vector<Corner> corners() const;
+  glm::dvec3 vertex(std::uint32_t wedge, std::size_t side) const;
   void lose_edges(const std::vector<Corner>& corners);
   void lose_sides(const Corner& corner);
   glm::dvec3 touched(std::uint32_t wedge, std::size_t side) const;

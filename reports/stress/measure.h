@@ -50,20 +50,14 @@ struct Errors {
   /// sensitivity of both; not looked for in the renderer.
   double jump = 0.0;
   std::uint64_t unflagged = 0;  // of `beyond`, pixels that belong to no wedge that is flagged
-  /// Of `beyond`, those at no wedge that the datapath itself foresees, though double is right
-  /// there.
+  /// Of `beyond`, those at no wedge that the arithmetic itself foresees: what flags by comparison
+  /// say does not count.
   std::uint64_t unforeseen = 0;
   std::uint64_t visits = 0;  // contributions evaluated, in
   double seconds = 0.0;      // of one thread
   std::vector<double> li;    // (height, width), for pictures
   bool holds = false;        // the bar
 };
-
-/// Pixels beyond the bar that nothing warned of: `fixed` must foresee them by itself, the others
-/// have one another.
-constexpr std::uint64_t silent_pixels(const Errors& errors, Arithmetic arithmetic) {
-  return arithmetic == Arithmetic::fixed ? errors.unforeseen : errors.unflagged;
-}
 
 struct Measurement {
   std::optional<std::string> refused;  // why there is no frame

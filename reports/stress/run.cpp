@@ -137,16 +137,15 @@ std::vector<std::string> FamilyResult::complaints() const {
     for (std::size_t level = 0; level < levels.size(); ++level) {
       for (std::size_t seed = 0; seed < levels[level].size(); ++seed) {
         const Measurement& m = levels[level][seed];
-        silent += silent_pixels(m.errors[static_cast<std::size_t>(arithmetic)], arithmetic);
+        silent += m.errors[static_cast<std::size_t>(arithmetic)].unforeseen;
         if (silent == 0 || !first.empty()) continue;
         first = fmt::format("{},{},{}", family->name, seed, difficulty_text(family->levels[level]));
       }
     }
     if (silent > 0) {
       complaints.push_back(
-          fmt::format("{}: {} pixels beyond the bar belong to no {} wedge, the first in {}",
-                      name_of(arithmetic), silent,
-                      arithmetic == Arithmetic::fixed ? "foreseen" : "flagged", first));
+          fmt::format("{}: {} pixels beyond the bar belong to no foreseen wedge, the first in {}",
+                      name_of(arithmetic), silent, first));
     }
   }
   for (const auto& level : levels) {

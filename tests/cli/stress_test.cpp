@@ -43,13 +43,13 @@ TEST_F(Stress, ReplaySaysThatARefusedCaseHasNoPicture) {
 
 TEST_F(Stress, ReplayShowsWhatIsWrong) {
   // Far from what the fixed datapath can hold.
-  const Outcome bad = stress({"--replay", "distance-ratio,0,1e8"});
+  const Outcome bad = stress({"--replay", "line-light,0,1e-8"});
   EXPECT_TRUE(has(bad, "does not hold")) << bad.out;
   EXPECT_TRUE(has(bad, "worst pixels")) << bad.out;
 }
 
 TEST_F(Stress, ShrinkNamesTheEdges) {
-  const std::vector<std::string> options{"--replay", "distance-ratio,0,1e8", "--shrink",
+  const std::vector<std::string> options{"--replay", "line-light,0,1e-8", "--shrink",
                                          "--arithmetic"};
   const auto shrink = [&](const std::string& arithmetic) {
     std::vector<std::string> all = options;

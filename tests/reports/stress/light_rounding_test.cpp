@@ -12,6 +12,7 @@
 #include "reports/stress/evaluate.h"
 #include "reports/stress/frame.h"
 #include "reports/stress/linear_rounding.h"
+#include "reports/stress/trace_rounding.h"
 #include "traces/depth.h"
 
 namespace wedgesim::reports::stress {
@@ -20,9 +21,10 @@ namespace {
 // The largest bound of a frame's wedges.
 double worst_bound(const std::string& name) {
   const functional::Frame frame = frame_of(parse_case("name", name).make());
-  const Evaluation exact = evaluate(frame.trace.view(), method_of(frame), {});
   double worst = 0.0;
-  for (const Evaluation::Part& part : exact.parts) worst = std::max(worst, part.rounding);
+  for (const TraceRounding& one : trace_roundings(frame.trace.view(), method_of(frame))) {
+    worst = std::max(worst, one.moved);
+  }
   return worst;
 }
 

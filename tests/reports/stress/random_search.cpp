@@ -133,23 +133,28 @@ class Probing {
     result_.faults.push_back({arithmetic, pixels_[k], own, judged, sensitivity, false});
   }
 
-  // A fault at a primitive that is flagged is no surprise. The renderer computes in double, too.
+  // A fault at a primitive that the arithmetic itself foresees to be in doubt is no surprise. The
+  // renderer computes in double precision.
   void excuse() {
     if (result_.faults.empty()) return;
     const traces::TraceView view = frame_.trace.view();
     std::vector<std::size_t> pixels;
     for (const Fault& fault : result_.faults) pixels.push_back(fault.pixel);
     const auto primitives = wedges_at(view, pixels);
+    const auto roundings = trace_roundings(view, method_of(frame_));
     const auto of_exact =
-        flag(view, model::DatapathKind::exact, exact_evaluation_, exact_evaluation_);
+        flag(view, model::DatapathKind::exact, exact_evaluation_, exact_evaluation_, roundings);
     const auto of_fixed =
-        flag(view, model::DatapathKind::fixed, fixed_evaluation_, exact_evaluation_);
+        flag(view, model::DatapathKind::fixed, fixed_evaluation_, exact_evaluation_, roundings);
+    const auto is_foreseen = [&](std::size_t i, const std::vector<Flagged>& flags) {
+      return std::ranges::any_of(primitives[i], [&](std::uint32_t primitive) {
+        const auto at = std::ranges::find(flags, primitive, &Flagged::wedge);
+        return at != flags.end() && at->foreseen;
+      });
+    };
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       Fault& fault = result_.faults[i];
-      const auto& flags = fault.arithmetic == "fixed" ? of_fixed : of_exact;
-      fault.flagged = std::ranges::any_of(primitives[i], [&](std::uint32_t primitive) {
-        return std::ranges::find(flags, primitive, &Flagged::wedge) != flags.end();
-      });
+      fault.foreseen = is_foreseen(i, fault.arithmetic == "fixed" ? of_fixed : of_exact);
     }
   }
 
@@ -176,7 +181,7 @@ Probe probe(const Case& random_case, bool judge_all) {
 }
 
 bool is_wrong(const Probe& probe) {
-  return !probe.broken.empty() || !std::ranges::all_of(probe.faults, &Fault::flagged);
+  return !probe.broken.empty() || !std::ranges::all_of(probe.faults, &Fault::foreseen);
 }
 
 std::string describe(const Probe& probe) {
@@ -186,7 +191,7 @@ std::string describe(const Probe& probe) {
     const Fault& fault = probe.faults[i];
     text += fmt::format("{} at pixel {}, {}: LI {:.9g}, judge {:.9g}, sensitivity {:.3g}{}\n",
                         fault.arithmetic, fault.pixel % 8, fault.pixel / 8, fault.li, fault.judge,
-                        fault.sensitivity, fault.flagged ? ", flagged" : "");
+                        fault.sensitivity, fault.foreseen ? ", foreseen" : "");
   }
   return text;
 }

@@ -14,7 +14,7 @@ struct Fault {
   std::string arithmetic;
   std::size_t pixel = 0;  // row-major
   double li = 0.0, judge = 0.0, sensitivity = 0.0;
-  bool flagged = false;  // belongs to a wedge that the datapath's constants warn of
+  bool foreseen = false;
 };
 
 /// What the renderer and the model make of one frame.

@@ -40,19 +40,19 @@ TEST(FamilyResult, ComplainsOfWhatIsWrong) {
   auto results = tests::sample_results();
   EXPECT_TRUE(results[0].complaints().empty());
   const std::vector<std::string> expected{
-      "float32: 2 pixels beyond the bar belong to no flagged wedge, the first in brittle,1,0.001",
+      "float32: 2 pixels beyond the bar belong to no foreseen wedge, the first in brittle,1,0.001",
       "double holds to 0.001, must hold to 1e-4",
-      "double: 1 pixels beyond the bar belong to no flagged wedge, the first in brittle,0,1e-4"};
+      "double: 1 pixels beyond the bar belong to no foreseen wedge, the first in brittle,0,1e-4"};
   EXPECT_EQ(results[1].complaints(), expected);
   results[0].levels[3][1].configurations_agree = false;
   EXPECT_EQ(results[0].complaints().size(), 1U);
 }
 
-// float32 and double may know from each other; the fixed datapath must know by itself.
+// What only shows beside another arithmetic excuses nothing.
 TEST(FamilyResult, ComplainsOfWhatIsNotForeseen) {
   auto results = tests::sample_results();
   Measurement& m = results[0].levels[3][0];
-  m.errors[static_cast<std::size_t>(Arithmetic::float32)].unforeseen = 3;
+  m.errors[static_cast<std::size_t>(Arithmetic::float32)].unflagged = 3;
   EXPECT_TRUE(results[0].complaints().empty());
   m.errors[static_cast<std::size_t>(Arithmetic::fixed)].unforeseen = 3;
   EXPECT_EQ(results[0].complaints(),

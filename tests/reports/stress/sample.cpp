@@ -16,7 +16,7 @@ void break_pixels(Measurement& measurement, Arithmetic arithmetic, double error,
   for (const std::size_t pixel : pixels) errors.li[pixel] += error;
   errors.max_error = errors.max_excess = std::fabs(error);
   errors.rms = errors.rms_penumbra = std::fabs(error) / 2.0;
-  errors.beyond = errors.unflagged = pixels.size();
+  errors.beyond = errors.unflagged = errors.unforeseen = pixels.size();
   errors.off = std::fabs(error) > 1.0 / 255.0 ? pixels.size() : 0;
   errors.holds = false;
 }
@@ -74,6 +74,7 @@ std::vector<FamilyResult> sample_results() {
   Measurement& flagged = broken[2][0];
   break_pixels(flagged, Arithmetic::double_precision, -0.001, {0, 1});
   errors_of(flagged, Arithmetic::double_precision).unflagged = 1;
+  errors_of(flagged, Arithmetic::double_precision).unforeseen = 1;
   flagged.flagged[static_cast<std::size_t>(Arithmetic::double_precision)] = {{7, "too <thin>"}};
   for (Measurement& refused : broken[3]) {
     refused = {};

@@ -47,7 +47,7 @@ TEST(FrameParts, SharesAddUpToTheWhole) {
 }
 
 TEST(Shrink, KeepsTheFewestEdgesThatPassTheBar) {
-  const Case made = parse_case("name", "distance-ratio,0,1e8").make();
+  const Case made = parse_case("name", "line-light,0,1e-8").make();
   const Measurement measurement = measure(made);
   const auto shrunk = shrink(made, measurement, Arithmetic::fixed);
   ASSERT_TRUE(shrunk.has_value());
