@@ -14,19 +14,24 @@ namespace {
 
 double cross_2d(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-// What is left of a segment: shares of its length that are cut off from its begin and from its end.
-// Each from its own end, so that an end that is left is itself, however far away the other is.
+// What is left of a segment: shares of its length that are cut off from its begin and from its end,
+// and those left from there on to the other end. Neither is 1 less the other: a point next to one
+// end keeps its digits, however far away the other is.
 struct Cut {
-  double begin = 0.0;
-  double end = 0.0;
+  double begin = 0.0, left_of_begin = 1.0;
+  double end = 0.0, left_of_end = 1.0;
   // Keeps what is between two values, one at each end, and not negative.
   void keep(double at_begin, double at_end) {
+    const double share = at_begin / (at_begin - at_end);
+    const double left = at_end / (at_end - at_begin);
     if (at_begin < 0.0 && at_end < 0.0) {
       begin = end = 1.0;
-    } else if (at_begin < 0.0) {
-      begin = std::max(begin, at_begin / (at_begin - at_end));
-    } else if (at_end < 0.0) {
-      end = std::max(end, at_end / (at_end - at_begin));
+    } else if (at_begin < 0.0 && share > begin) {
+      begin = share;
+      left_of_begin = left;
+    } else if (at_end < 0.0 && left > end) {
+      end = left;
+      left_of_end = share;
     }
   }
   bool all() const { return !(begin + end < 1.0); }
@@ -44,7 +49,7 @@ std::optional<Segment> inside_square(const glm::dvec3& a, const glm::dvec3& b) {
   cut.keep(a.z - a.y, b.z - b.y);
   cut.keep(a.z + a.y, b.z + b.y);
   if (cut.all()) return std::nullopt;
-  return Segment{a + cut.begin * (b - a), b - cut.end * (b - a)};
+  return Segment{cut.left_of_begin * a + cut.begin * b, cut.end * a + cut.left_of_end * b};
 }
 
 glm::dvec2 project(const glm::dvec3& h) {

@@ -21,10 +21,10 @@ struct NoShare {
   static constexpr std::size_t kChannels = 1;
 };
 
-// The shares of a segment that are cut off from its begin and from its end, each from its own end,
-// so that an end that is left is itself, however far away the other is.
+// The shares of a segment that are cut off from its begin and from its end, and those left from
+// there on to the other end, each with its own digits: coverage.cpp.
 struct Cut {
-  V begin, end;
+  V begin, left_of_begin, end, left_of_end;
 };
 
 HWY_INLINE void clip(V f0, V f1, Cut& cut) {
@@ -32,9 +32,15 @@ HWY_INLINE void clip(V f0, V f1, Cut& cut) {
   const M out0 = hn::Lt(f0, zero);
   const M out1 = hn::Lt(f1, zero);
   // Of the end that is outside; both are in lanes that are not alive.
-  const V share = hn::Div(hn::IfThenElse(out0, f0, hn::Neg(f1)), hn::Sub(f0, f1));
-  cut.begin = hn::IfThenElse(out0, hn::Max(cut.begin, share), cut.begin);
-  cut.end = hn::IfThenElse(out1, hn::Max(cut.end, share), cut.end);
+  const V per_length = hn::Div(set(1.0F), hn::Sub(f0, f1));
+  const V share = hn::Mul(hn::IfThenElse(out0, f0, hn::Neg(f1)), per_length);
+  const V left = hn::Mul(hn::IfThenElse(out0, hn::Neg(f1), f0), per_length);
+  const M begins = hn::And(out0, hn::Gt(share, cut.begin));
+  const M ends = hn::And(out1, hn::Gt(share, cut.end));
+  cut.begin = hn::IfThenElse(begins, share, cut.begin);
+  cut.left_of_begin = hn::IfThenElse(begins, left, cut.left_of_begin);
+  cut.end = hn::IfThenElse(ends, share, cut.end);
+  cut.left_of_end = hn::IfThenElse(ends, left, cut.left_of_end);
 }
 
 // Whether both values are outside.
@@ -81,21 +87,25 @@ HWY_INLINE SeenEdge see_edge(const V* forms) {
                           hn::Or(both_out(c0, c1), both_out(d0, d1)));
   seen.alive = hn::Not(beside);
   if (hn::AllFalse(kTag, seen.alive)) return seen;
-  Cut cut{hn::Zero(kTag), hn::Zero(kTag)};
+  const V one = set(1.0F);
+  Cut cut{hn::Zero(kTag), one, hn::Zero(kTag), one};
   clip(a0, a1, cut);
   clip(b0, b1, cut);
   clip(c0, c1, cut);
   clip(d0, d1, cut);
-  seen.alive = hn::And(seen.alive, hn::Lt(hn::Add(cut.begin, cut.end), set(1.0F)));
-  const V du = hn::Sub(u1, u0);
-  const V dv = hn::Sub(v1, v0);
-  const V dw = hn::Sub(w1, w0);
-  seen.pu = hn::Add(u0, hn::Mul(cut.begin, du));
-  seen.pv = hn::Add(v0, hn::Mul(cut.begin, dv));
-  seen.pw = hn::Add(w0, hn::Mul(cut.begin, dw));
-  seen.qu = hn::Sub(u1, hn::Mul(cut.end, du));
-  seen.qv = hn::Sub(v1, hn::Mul(cut.end, dv));
-  seen.qw = hn::Sub(w1, hn::Mul(cut.end, dw));
+  seen.alive = hn::And(seen.alive, hn::Lt(hn::Add(cut.begin, cut.end), one));
+  const auto first = [&](V at0, V at1) HWY_ATTR {
+    return hn::Add(hn::Mul(cut.left_of_begin, at0), hn::Mul(cut.begin, at1));
+  };
+  const auto last = [&](V at0, V at1) HWY_ATTR {
+    return hn::Add(hn::Mul(cut.end, at0), hn::Mul(cut.left_of_end, at1));
+  };
+  seen.pu = first(u0, u1);
+  seen.pv = first(v0, v1);
+  seen.pw = first(w0, w1);
+  seen.qu = last(u0, u1);
+  seen.qv = last(v0, v1);
+  seen.qw = last(w0, w1);
   return seen;
 }
 

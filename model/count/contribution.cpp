@@ -74,21 +74,30 @@ SphereTermsOf<float> single(const SphereTerms& terms) {
           {real(terms.ends[0]), real(terms.ends[1])}};
 }
 
-// What is left of a segment: shares of its length that are cut off from its begin and from its end.
-// Each from its own end, so that an end that is left is itself, however far away the other is.
+// What is left of a segment: shares of its length that are cut off from its begin and from its end,
+// and those left from there on to the other end. Neither is 1 less the other: a point next to one
+// end keeps its digits, however far away the other is.
 template <typename Real>
 struct Cut {
-  Real begin = 0.0;
-  Real end = 0.0;
+  Real begin = 0.0, left_of_begin = 1.0;
+  Real end = 0.0, left_of_end = 1.0;
 };
 
 // Keeps the part where a value that goes linearly from f0 to f1 is not negative. False: nothing.
 template <typename Real>
 bool clip(Real f0, Real f1, Cut<Real>& cut) {
   if (f0 < 0.0 && f1 < 0.0) return false;
-  const Real share = (f0 < 0.0 ? f0 : -f1) / (f0 - f1);  // of the end that is outside
-  if (f0 < 0.0 && share > cut.begin) cut.begin = share;
-  if (f1 < 0.0 && share > cut.end) cut.end = share;
+  const Real per_length = Real(1.0) / (f0 - f1);
+  const Real share = (f0 < 0.0 ? f0 : -f1) * per_length;  // of the end that is outside
+  const Real left = (f0 < 0.0 ? -f1 : f0) * per_length;
+  if (f0 < 0.0 && share > cut.begin) {
+    cut.begin = share;
+    cut.left_of_begin = left;
+  }
+  if (f1 < 0.0 && share > cut.end) {
+    cut.end = share;
+    cut.left_of_end = left;
+  }
   return true;
 }
 
@@ -206,14 +215,13 @@ Real coverage(const RectangleTermsOf<Real>& terms, std::type_identity_t<Real> x,
     return 0.0;
   }
   if (!(cut.begin + cut.end < 1.0)) return 0.0;
-  const Real du = u1 - u0;
-  const Real dv = v1 - v0;
-  const Real dw = w1 - w0;
-  const Real pu = u0 + cut.begin * du;
-  const Real pv = v0 + cut.begin * dv;
-  const Real qu = u1 - cut.end * du;
-  const Real qv = v1 - cut.end * dv;
-  const Real w = (w0 + cut.begin * dw) * (w1 - cut.end * dw);
+  const auto first = [&](Real at0, Real at1) { return cut.left_of_begin * at0 + cut.begin * at1; };
+  const auto last = [&](Real at0, Real at1) { return cut.end * at0 + cut.left_of_end * at1; };
+  const Real pu = first(u0, u1);
+  const Real pv = first(v0, v1);
+  const Real qu = last(u0, u1);
+  const Real qv = last(v0, v1);
+  const Real w = first(w0, w1) * last(w0, w1);
   if (!(w > 0.0)) return 0.0;
   Real turn = perimeter(qu, qv) - perimeter(pu, pv);
   if (turn > 4.0) turn = turn - Real(8);

@@ -104,7 +104,7 @@ V value_of(const LinearTerms& terms, const Here& here) {
 }
 
 struct Cut {
-  V begin, end;
+  V begin, left_of_begin, end, left_of_end;
   M alive;
 };
 
@@ -113,10 +113,16 @@ void clip(V f0, V f1, Cut& cut) {
   const M out0 = hn::Lt(f0, zero);
   const M out1 = hn::Lt(f1, zero);
   // Of the end that is outside; both are in lanes that are not alive.
-  const V share = hn::Div(hn::IfThenElse(out0, f0, hn::Neg(f1)), hn::Sub(f0, f1));
+  const V per_length = hn::Div(set(1.0), hn::Sub(f0, f1));
+  const V share = hn::Mul(hn::IfThenElse(out0, f0, hn::Neg(f1)), per_length);
+  const V left = hn::Mul(hn::IfThenElse(out0, hn::Neg(f1), f0), per_length);
+  const M begins = hn::And(out0, hn::Gt(share, cut.begin));
+  const M ends = hn::And(out1, hn::Gt(share, cut.end));
   cut.alive = hn::AndNot(hn::And(out0, out1), cut.alive);
-  cut.begin = hn::IfThenElse(hn::And(out0, hn::Gt(share, cut.begin)), share, cut.begin);
-  cut.end = hn::IfThenElse(hn::And(out1, hn::Gt(share, cut.end)), share, cut.end);
+  cut.begin = hn::IfThenElse(begins, share, cut.begin);
+  cut.left_of_begin = hn::IfThenElse(begins, left, cut.left_of_begin);
+  cut.end = hn::IfThenElse(ends, share, cut.end);
+  cut.left_of_end = hn::IfThenElse(ends, left, cut.left_of_end);
 }
 
 V perimeter(V u, V v) {
@@ -130,8 +136,10 @@ V perimeter(V u, V v) {
   return hn::IfThenElse(hn::Eq(denominator, zero), zero, hn::IfThenElse(sideways, side, ends));
 }
 
-V after(V begin, V share, V direction) { return hn::Add(begin, hn::Mul(share, direction)); }
-V before(V end, V share, V direction) { return hn::Sub(end, hn::Mul(share, direction)); }
+// share0 at0 + share1 at1
+V between(V share0, V at0, V share1, V at1) {
+  return hn::Add(hn::Mul(share0, at0), hn::Mul(share1, at1));
+}
 
 V value_of(const RectangleTerms&, const Here& here) {
   const V u0 = here(0);
@@ -141,20 +149,22 @@ V value_of(const RectangleTerms&, const Here& here) {
   const V v1 = here(4);
   const V w1 = here(5);
   const V zero = hn::Zero(kTag);
-  Cut cut{zero, zero, hn::Eq(zero, zero)};
+  const V one = set(1.0);
+  Cut cut{zero, one, zero, one, hn::Eq(zero, zero)};
   clip(hn::Sub(w0, u0), hn::Sub(w1, u1), cut);
   clip(hn::Add(w0, u0), hn::Add(w1, u1), cut);
   clip(hn::Sub(w0, v0), hn::Sub(w1, v1), cut);
   clip(hn::Add(w0, v0), hn::Add(w1, v1), cut);
-  cut.alive = hn::And(cut.alive, hn::Lt(hn::Add(cut.begin, cut.end), set(1.0)));
-  const V du = hn::Sub(u1, u0);
-  const V dv = hn::Sub(v1, v0);
-  const V dw = hn::Sub(w1, w0);
-  const V pu = after(u0, cut.begin, du);
-  const V pv = after(v0, cut.begin, dv);
-  const V qu = before(u1, cut.end, du);
-  const V qv = before(v1, cut.end, dv);
-  const V w = hn::Mul(after(w0, cut.begin, dw), before(w1, cut.end, dw));
+  cut.alive = hn::And(cut.alive, hn::Lt(hn::Add(cut.begin, cut.end), one));
+  const auto first = [&](V at0, V at1)
+                         HWY_ATTR { return between(cut.left_of_begin, at0, cut.begin, at1); };
+  const auto last = [&](V at0, V at1)
+                        HWY_ATTR { return between(cut.end, at0, cut.left_of_end, at1); };
+  const V pu = first(u0, u1);
+  const V pv = first(v0, v1);
+  const V qu = last(u0, u1);
+  const V qv = last(v0, v1);
+  const V w = hn::Mul(first(w0, w1), last(w0, w1));
   cut.alive = hn::And(cut.alive, hn::Gt(w, zero));
   V turn = hn::Sub(perimeter(qu, qv), perimeter(pu, pv));
   turn = hn::IfThenElse(hn::Gt(turn, set(4.0)), hn::Sub(turn, set(8.0)), turn);
