@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -87,13 +88,19 @@ class Judge {
     for (const BareEdge& edge : frame.geometry.bare_edges) add_edge(edge);
   }
 
-  std::vector<double> run(int depth_step) const {
+  std::vector<double> run(int depth_step, double* seconds = nullptr) const {
     std::vector<double> li(pixels_.size());
     const std::size_t blocks = (pixels_.size() + kBlock - 1) / kBlock;
+    std::vector<std::chrono::duration<double>> spent(blocks);
     tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
       const std::size_t end = std::min(pixels_.size(), (block + 1) * kBlock);
+      const auto start = std::chrono::steady_clock::now();
       evaluate(block * kBlock, end, depth_step, li);
+      spent[block] = std::chrono::steady_clock::now() - start;
     });
+    for (const auto& one : spent) {
+      if (seconds != nullptr) *seconds += one.count();
+    }
     return li;
   }
 
@@ -259,20 +266,22 @@ class Judge {
 }  // namespace
 
 std::vector<double> judge_light_intensity(const Scene& scene, const Frame& frame,
-                                          std::span<const std::size_t> pixels, int depth_step) {
-  return Judge(scene, frame, pixels).run(depth_step);
+                                          std::span<const std::size_t> pixels, int depth_step,
+                                          double* seconds) {
+  return Judge(scene, frame, pixels).run(depth_step, seconds);
 }
 
-std::vector<double> judge_sensitivity(const Scene& scene, const Frame& frame,
-                                      std::span<const std::size_t> pixels) {
+Judgement judge_with_sensitivity(const Scene& scene, const Frame& frame,
+                                 std::span<const std::size_t> pixels) {
   const Judge judge(scene, frame, pixels);
-  std::vector<double> change = judge.run(0);
+  Judgement judged{judge.run(0), {}};
   const std::vector<double> nearer = judge.run(-1);
   const std::vector<double> farther = judge.run(1);
-  for (std::size_t i = 0; i < change.size(); ++i) {
-    change[i] = std::max(std::abs(nearer[i] - change[i]), std::abs(farther[i] - change[i]));
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const double li = judged.li[i];
+    judged.sensitivity.push_back(std::max(std::abs(nearer[i] - li), std::abs(farther[i] - li)));
   }
-  return change;
+  return judged;
 }
 
 }  // namespace wedgesim::functional

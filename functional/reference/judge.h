@@ -26,12 +26,17 @@ namespace wedgesim::functional {
 /// \param frame       of this scene, by make_frame
 /// \param pixels      indices into the frame's depth, each once; those of the sky mean nothing
 /// \param depth_step  0, or the intensity if the stored z were one step nearer (-1) or farther (1)
+/// \param seconds     if given, what the sums took, all threads together, is added to it
 /// \return            one for each of pixels, not clamped, rounded to double
 std::vector<double> judge_light_intensity(const Scene& scene, const Frame& frame,
-                                          std::span<const std::size_t> pixels, int depth_step = 0);
+                                          std::span<const std::size_t> pixels, int depth_step = 0,
+                                          double* seconds = nullptr);
 
-/// The larger change of the judged intensity when the stored z moves one step up or down.
-std::vector<double> judge_sensitivity(const Scene& scene, const Frame& frame,
-                                      std::span<const std::size_t> pixels);
+/// The same, and the larger change of it when the stored z moves one step up or down.
+struct Judgement {
+  std::vector<double> li, sensitivity;
+};
+Judgement judge_with_sensitivity(const Scene& scene, const Frame& frame,
+                                 std::span<const std::size_t> pixels);
 
 }  // namespace wedgesim::functional

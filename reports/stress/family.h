@@ -46,6 +46,8 @@ struct Family {
   double step = 0.0;
   /// Of the levels that must hold those that cannot have a pixel in a penumbra.
   std::vector<double> empty_levels{};
+  /// Whether the seed changes anything; if not, a level is one case.
+  bool seeded = true;
 };
 
 /// All families, in the order of the report.

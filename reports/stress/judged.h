@@ -11,7 +11,7 @@ namespace wedgesim::reports::stress {
 /// The judge's LI of the pixels of a frame that show a surface, units of full light.
 class Judged {
  public:
-  /// Both are kept.
+  /// Both must outlive it.
   Judged(const Case& stress_case, const functional::Frame& frame);
 
   const std::vector<std::size_t>& pixels() const { return pixels_; }  // indices into the frame
@@ -19,6 +19,7 @@ class Judged {
   /// Exact where it was asked for, else the renderer's.
   double sensitivity(std::size_t k) const { return sensitivity_[pixels_[k]]; }
   const std::vector<double>& sensitivities() const { return sensitivity_; }  // (height, width)
+  double seconds() const { return seconds_; }  // of one thread, for li()
 
   /// Makes the sensitivity of some pixels exact. Others keep the renderer's.
   /// \param wanted  positions in pixels()
@@ -29,6 +30,7 @@ class Judged {
   const functional::Frame& frame_;
   std::vector<std::size_t> pixels_;
   std::vector<double> li_;
+  double seconds_ = 0.0;
   std::vector<double> sensitivity_;  // of the frame
 };
 

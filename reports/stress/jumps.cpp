@@ -51,6 +51,7 @@ std::optional<Sides> sides_of_plane(const Frame& frame, std::size_t pixel, std::
 struct Moved {
   std::array<Frame, 2> frames;
   std::vector<std::size_t> pixels;
+  std::vector<std::uint32_t> wedges;  // whose planes, of each of pixels
 };
 
 Moved move_onto_planes(const Frame& frame, std::span<const std::size_t> pixels) {
@@ -59,29 +60,31 @@ Moved move_onto_planes(const Frame& frame, std::span<const std::size_t> pixels) 
     looked_at.push_back(pixels[k]);
   }
   const auto primitives = wedges_at(frame.trace.view(), looked_at);
-  Moved moved{{frame, frame}, {}};
+  Moved moved{{frame, frame}, {}, {}};
   for (std::size_t i = 0; i < looked_at.size(); ++i) {
     const std::size_t pixel = looked_at[i];
     std::vector<std::uint32_t> wedges = primitives[i];
     std::erase_if(wedges,
                   [&](std::uint32_t number) { return number >= frame.trace.wedges.size(); });
     if (wedges.empty()) continue;
-    const auto sides = sides_of_plane(frame, pixel, wedges[pixel % wedges.size()]);
+    const std::uint32_t wedge = wedges[pixel % wedges.size()];
+    const auto sides = sides_of_plane(frame, pixel, wedge);
     if (!sides) continue;
     const std::array words{sides->before, sides->behind};
     for (std::size_t s = 0; s < 2; ++s) {
       moved.frames[s].trace.depth[pixel] = moved.frames[s].depth.words[pixel] = words[s];
     }
     moved.pixels.push_back(pixel);
+    moved.wedges.push_back(wedge);
   }
   return moved;
 }
 
 }  // namespace
 
-std::array<double, kArithmetics.size()> largest_jumps(const Case& stress_case, const Frame& frame,
-                                                      std::span<const std::size_t> pixels) {
-  std::array<double, kArithmetics.size()> jumps{};
+std::array<Jumps, kArithmetics.size()> largest_jumps(const Case& stress_case, const Frame& frame,
+                                                     std::span<const std::size_t> pixels) {
+  std::array<Jumps, kArithmetics.size()> jumps{};
   if (frame.trace.wedges.size() > kMostWedges) return jumps;
   const Moved moved = move_onto_planes(frame, pixels);
   if (moved.pixels.empty()) return jumps;
@@ -95,18 +98,23 @@ std::array<double, kArithmetics.size()> largest_jumps(const Case& stress_case, c
   for (const Arithmetic arithmetic :
        {Arithmetic::fixed, Arithmetic::float32, Arithmetic::double_precision}) {
     const model::Datapath datapath = datapath_of(arithmetic, stress_case);
+    Jumps& of = jumps[static_cast<std::size_t>(arithmetic)];
     std::array<std::vector<double>, 2> li;
     for (std::size_t s = 0; s < 2; ++s) {
       const traces::TraceView view = moved.frames[s].trace.view();
-      li[s] = li_of(evaluate(view, method_of(frame), datapath).sums, datapath);
+      const Evaluation evaluation = evaluate(view, method_of(frame), datapath);
+      of.not_finite += evaluation.not_finite;
+      li[s] = li_of(evaluation.sums, datapath);
     }
-    double& largest = jumps[static_cast<std::size_t>(arithmetic)];
+    of.largest.emplace();
     for (std::size_t i = 0; i < moved.pixels.size(); ++i) {
       const auto change = [&](std::size_t s) { return std::fabs(exact[s + 1][i] - exact[s][i]); };
       const double allowed = std::max(change(0), change(1)) + std::max(change(1), change(2));
       const double step = li[1][moved.pixels[i]] - li[0][moved.pixels[i]];
       const double error = std::fabs(step - (exact[2][i] - exact[1][i]));
-      largest = std::max(largest, error - allowed);
+      if (error - allowed > of.largest->excess) {
+        of.largest = Jump{error - allowed, moved.pixels[i], moved.wedges[i]};
+      }
     }
   }
   return jumps;

@@ -14,7 +14,7 @@ Errors worst_of(const std::vector<Measurement>& seeds, Arithmetic arithmetic) {
     worst.max_excess = std::max(worst.max_excess, e.max_excess);
     worst.rms = std::max(worst.rms, e.rms);
     worst.rms_penumbra = std::max(worst.rms_penumbra, e.rms_penumbra);
-    worst.jump = std::max(worst.jump, e.jump);
+    if (e.jump && (!worst.jump || worst.jump->excess < e.jump->excess)) worst.jump = e.jump;
     worst.off += e.off;
     worst.beyond += e.beyond;
     worst.specks += e.specks;
@@ -39,18 +39,35 @@ double condition_of(const std::vector<Measurement>& seeds) {
   return condition;
 }
 
-std::optional<double> nanoseconds_of(const FamilyResult& result, Arithmetic arithmetic) {
+namespace {
+
+template <typename SecondsOf>
+std::optional<double> median_nanoseconds(const FamilyResult& result, Arithmetic visitor,
+                                         const SecondsOf& seconds_of) {
   std::vector<double> times;
   for (const auto& level : result.levels) {
     for (const Measurement& m : level) {
-      const Errors& e = m.errors[static_cast<std::size_t>(arithmetic)];
-      if (e.visits > 0) times.push_back(1e9 * e.seconds / static_cast<double>(e.visits));
+      const std::uint64_t visits = m.errors[static_cast<std::size_t>(visitor)].visits;
+      if (visits > 0) times.push_back(1e9 * seconds_of(m) / static_cast<double>(visits));
     }
   }
   if (times.empty()) return {};
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
   std::ranges::nth_element(times, middle);
   return *middle;
+}
+
+}  // namespace
+
+std::optional<double> nanoseconds_of(const FamilyResult& result, Arithmetic arithmetic) {
+  return median_nanoseconds(result, arithmetic, [arithmetic](const Measurement& m) {
+    return m.errors[static_cast<std::size_t>(arithmetic)].seconds;
+  });
+}
+
+std::optional<double> judge_nanoseconds_of(const FamilyResult& result) {
+  return median_nanoseconds(result, Arithmetic::double_precision,
+                            [](const Measurement& m) { return m.judge_seconds; });
 }
 
 }  // namespace wedgesim::reports::stress

@@ -16,5 +16,7 @@ double condition_of(const std::vector<Measurement>& seeds);
 /// The median over a family's cases of the time that one contribution takes, nanoseconds of one
 /// thread; none for the renderer, or where no case has a contribution.
 std::optional<double> nanoseconds_of(const FamilyResult& result, Arithmetic arithmetic);
+/// The same of the judge, for as many contributions as double precision has there.
+std::optional<double> judge_nanoseconds_of(const FamilyResult& result);
 
 }  // namespace wedgesim::reports::stress

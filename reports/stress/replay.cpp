@@ -36,9 +36,10 @@ Table errors_table(const Measurement& measurement) {
   for (const Arithmetic a : kArithmetics) {
     const Errors& e = errors_of(measurement, a);
     std::vector<std::string> row{std::string(name_of(a))};
-    for (const double x : {e.max_error, e.max_excess, e.rms, e.rms_penumbra, e.jump}) {
+    for (const double x : {e.max_error, e.max_excess, e.rms, e.rms_penumbra}) {
       row.push_back(fmt::format("{:.2e}", x));
     }
+    row.push_back(e.jump ? fmt::format("{:.2e}", e.jump->excess) : "-");
     for (const std::uint64_t n :
          {e.off, e.beyond, e.unflagged, e.unforeseen, e.specks, e.leaks, e.visits, e.not_finite,
           e.saturated, e.overflowed, e.signs, e.wrong_signs}) {
@@ -79,6 +80,26 @@ std::string pixels_text(const Measurement& measurement) {
     table.add_row(std::move(row));
   }
   return table.text() + "* beyond the bar: off by more than the tolerance and the sensitivity\n";
+}
+
+// Where what is not a pixel's error breaks the bar.
+std::string places_text(const Measurement& measurement) {
+  const auto place = [&](std::size_t pixel) {
+    const auto width = static_cast<std::size_t>(measurement.width);
+    return fmt::format("{},{}", pixel % width, pixel / width);
+  };
+  std::string text;
+  for (const Arithmetic a : kArithmetics) {
+    const Errors& e = errors_of(measurement, a);
+    if (e.first_leak) {
+      text += fmt::format("{}: the sum leaks at pixel {}\n", name_of(a), place(*e.first_leak));
+    }
+    if (e.jump && e.jump->excess > largest_jump_of(a)) {
+      text += fmt::format("{}: a step across a plane of wedge {} is off at pixel {}\n", name_of(a),
+                          e.jump->wedge, place(e.jump->pixel));
+    }
+  }
+  return text;
 }
 
 std::string flagged_text(const Measurement& measurement) {
@@ -138,7 +159,7 @@ std::string replay_text(const CaseName& name, const Measurement& measurement) {
                   measurement.width, measurement.height, measurement.judged, measurement.wedges,
                   measurement.degenerate_wedges, measurement.condition);
   text += errors_table(measurement).text() + "\n" + pixels_text(measurement);
-  text += flagged_text(measurement);
+  text += places_text(measurement) + flagged_text(measurement);
   if (!measurement.configurations_agree) {
     text += "modes, cullings and tile sizes do not agree\n";
   }

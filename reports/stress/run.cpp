@@ -28,7 +28,8 @@ void drop_pictures(Measurement& measurement) {
   for (Errors& errors : measurement.errors) errors.li = {};
 }
 
-FamilyResult measure_family(const Family& family, std::uint64_t seeds) {
+FamilyResult measure_family(const Family& family, std::uint64_t most_seeds) {
+  const std::uint64_t seeds = family.seeded ? most_seeds : 1;
   FamilyResult result;
   result.family = &family;
   result.levels.assign(family.levels.size(), std::vector<Measurement>(seeds));
@@ -81,6 +82,15 @@ std::optional<double> FamilyResult::holds_to(Arithmetic arithmetic) const {
   return family->levels[held - 1];
 }
 
+bool FamilyResult::holds_throughout(Arithmetic arithmetic) const {
+  return holds_to(arithmetic) == family->levels.back();
+}
+
+bool FamilyResult::meets_required(Arithmetic arithmetic) const {
+  const auto must = required(arithmetic);
+  return !must || levels_held(arithmetic) >= levels_up_to(*must);
+}
+
 std::optional<double> FamilyResult::required(Arithmetic arithmetic) const {
   if (arithmetic == Arithmetic::fixed) return family->required.fixed;
   if (arithmetic == Arithmetic::float32) return {};
@@ -123,14 +133,11 @@ std::vector<std::string> FamilyResult::complaints() const {
         fmt::format("no pixel is in a penumbra at {}: nothing is asked", difficulty_text(level)));
   }
   for (const Arithmetic arithmetic : kArithmetics) {
-    const std::optional<double> must = required(arithmetic);
-    if (must) {
-      if (levels_held(arithmetic) < levels_up_to(*must)) {
-        const auto reached = holds_to(arithmetic);
-        complaints.push_back(fmt::format("{} holds to {}, must hold to {}", name_of(arithmetic),
-                                         reached ? difficulty_text(*reached) : "nothing",
-                                         difficulty_text(*must)));
-      }
+    if (!meets_required(arithmetic)) {
+      const auto reached = holds_to(arithmetic);
+      complaints.push_back(fmt::format("{} holds to {}, must hold to {}", name_of(arithmetic),
+                                       reached ? difficulty_text(*reached) : "nothing",
+                                       difficulty_text(*required(arithmetic))));
     }
     std::uint64_t silent = 0;
     std::string first;

@@ -18,7 +18,8 @@ struct RunOptions {
 /// One family's measurements.
 struct FamilyResult {
   const Family* family = nullptr;
-  /// [level][seed]; only the first failure of each arithmetic keeps its pictures.
+  /// [level][seed]; of families without seeds one each. Only the first failure of each arithmetic
+  /// keeps its pictures.
   std::vector<std::vector<Measurement>> levels;
 
   /// Of the levels up to here each is right, or refused where that is an answer.
@@ -27,6 +28,12 @@ struct FamilyResult {
   /// The hardest level up to which the bar holds, not one beyond which none has a pixel in a
   /// penumbra that could be wrong; none: not even the first.
   std::optional<double> holds_to(Arithmetic arithmetic) const;
+  /// Whether that is the last level.
+  bool holds_throughout(Arithmetic arithmetic) const;
+  /// Whether it holds to where it must.
+  bool meets_required(Arithmetic arithmetic) const;
+  /// How many levels from the first up to one of them.
+  std::size_t levels_up_to(double difficulty) const;
   /// The hardest level that must hold, of an arithmetic that has one.
   std::optional<double> required(Arithmetic arithmetic) const;
   /// The seed of a level's first measurement beyond the bar.
@@ -35,18 +42,14 @@ struct FamilyResult {
   std::vector<double> empty_levels() const;
   /// What is wrong with it: nothing if it is as it must be.
   std::vector<std::string> complaints() const;
-
- private:
-  /// How many levels from the first up to one of them.
-  std::size_t levels_up_to(double difficulty) const;
 };
 
 using Progress = std::function<void(const Family& family, std::size_t place, std::size_t count)>;
 
 /// Measures families at all levels and seeds, many cases at a time; the result does not depend on
 /// how many.
-/// \param progress  told each family before it is measured, its place from 0, and how many there
-/// are \throws InputError naming a family that is not there
+/// \param progress  told each family before it is measured, its place from 0 and their count
+/// \throws InputError naming a family that is not there
 std::vector<FamilyResult> run(const RunOptions& options, const Progress& progress);
 
 }  // namespace wedgesim::reports::stress

@@ -185,10 +185,8 @@ double median_of(std::vector<double> values) {
 
 // How many levels all arithmetics are compared over: to the hardest that `fixed` must hold.
 std::size_t compared_levels(const FamilyResult& result) {
-  const auto& levels = result.family->levels;
   const auto required = result.required(Arithmetic::fixed);
-  if (!required) return levels.size();
-  return static_cast<std::size_t>(std::ranges::find(levels, *required) - levels.begin()) + 1;
+  return required ? result.levels_up_to(*required) : result.levels.size();
 }
 
 // A line of the rounding unit times the condition number.

@@ -42,7 +42,7 @@ Json errors_json(const std::vector<Measurement>& seeds, Arithmetic arithmetic) {
           {"pixels_beyond_bar_unforeseen", worst.unforeseen},
           {"specks", worst.specks},
           {"leaks", worst.leaks},
-          {"jump", worst.jump},
+          {"jump", worst.jump ? Json(worst.jump->excess) : Json(nullptr)},
           {"signs", worst.signs},
           {"wrong_signs", worst.wrong_signs},
           {"not_finite", worst.not_finite},
@@ -111,6 +111,7 @@ Json timing_of(const FamilyResult& result) {
        {Arithmetic::fixed, Arithmetic::float32, Arithmetic::double_precision}) {
     timing[std::string(name_of(a))] = number(nanoseconds_of(result, a));
   }
+  timing["judge"] = number(judge_nanoseconds_of(result));
   return timing;
 }
 

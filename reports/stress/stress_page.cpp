@@ -61,14 +61,6 @@ std::string number_cell(const std::optional<double>& level, bool is_short) {
                      level ? difficulty_text(*level) : "–");
 }
 
-bool falls_short(const FamilyResult& result, Arithmetic arithmetic) {
-  const auto required = result.required(arithmetic);
-  if (!required) return false;
-  const auto& levels = result.family->levels;
-  const auto position = std::ranges::find(levels, *required) - levels.begin();
-  return result.levels_held(arithmetic) <= static_cast<std::size_t>(position);
-}
-
 std::string table_html(const std::vector<FamilyResult>& results) {
   std::string html =
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Bounds\"><table>\n<thead>"
@@ -88,7 +80,7 @@ std::string table_html(const std::vector<FamilyResult>& results) {
     html += number_cell(result.required(Arithmetic::fixed), false);
     html += number_cell(result.required(Arithmetic::double_precision), false);
     for (const Arithmetic a : kArithmetics) {
-      html += number_cell(result.holds_to(a), falls_short(result, a));
+      html += number_cell(result.holds_to(a), !result.meets_required(a));
     }
     const bool held = result.complaints().empty();
     html += held ? "<td>held</td></tr>\n" : "<td class=\"short\">not held</td></tr>\n";

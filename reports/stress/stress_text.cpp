@@ -51,7 +51,7 @@ std::string levels_text(const FamilyResult& result) {
       row.push_back(std::to_string(worst.beyond));
       row.push_back(std::to_string(worst.specks));
       row.push_back(std::to_string(worst.leaks));
-      row.push_back(fmt::format("{:.1e}", worst.jump));
+      row.push_back(worst.jump ? fmt::format("{:.1e}", worst.jump->excess) : "-");
     }
     table.add_row(std::move(row));
   }

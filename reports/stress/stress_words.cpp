@@ -14,18 +14,13 @@ namespace wedgesim::reports::stress {
 namespace {
 
 std::string bound_words(const FamilyResult& result, Arithmetic arithmetic) {
-  const std::size_t held = result.levels_held(arithmetic);
-  std::string words = "holds throughout";
-  if (held == 0) words = "holds nowhere";
-  if (held > 0 && held < result.levels.size()) {
-    words = "holds to " + difficulty_text(result.family->levels[held - 1]);
-  }
+  const std::optional<double> reached = result.holds_to(arithmetic);
+  std::string words = reached ? "holds to " + difficulty_text(*reached) : "holds nowhere";
+  if (result.holds_throughout(arithmetic)) words = "holds throughout";
   const auto required = result.required(arithmetic);
-  if (!required || held == result.levels.size()) return words;
-  const auto& levels = result.family->levels;
-  const auto position = std::ranges::find(levels, *required) - levels.begin();
-  const bool enough = held > static_cast<std::size_t>(position);
-  return fmt::format("{} ({} {})", words, enough ? "must to" : "but must to",
+  if (!required || result.holds_throughout(arithmetic)) return words;
+  return fmt::format("{} ({} {})", words,
+                     result.meets_required(arithmetic) ? "must to" : "but must to",
                      difficulty_text(*required));
 }
 
@@ -33,7 +28,7 @@ std::string throughout_words(const std::vector<FamilyResult>& results) {
   std::vector<std::string> parts;
   for (const Arithmetic a : kArithmetics) {
     const auto all = std::ranges::count_if(
-        results, [a](const FamilyResult& r) { return r.levels_held(a) == r.levels.size(); });
+        results, [a](const FamilyResult& r) { return r.holds_throughout(a); });
     parts.push_back(fmt::format("{} in {}", name_of(a), all));
   }
   return fmt::format("Of {} families, the bar holds at every difficulty for {}.", results.size(),
@@ -79,7 +74,8 @@ std::string misfortune_words(const std::vector<FamilyResult>& results) {
   }
   return fmt::format(
       "Contributions that are no number: {}; specks: {}; pixels away from penumbrae whose sum is "
-      "not whole: {}; cases in which modes, cullings and tile sizes differ by a bit: {}.",
+      "not the exact whole number: {}, all arithmetics together; cases in which modes, cullings "
+      "and tile sizes differ by a bit: {}.",
       not_finite, specks, leaks, disagreeing);
 }
 
@@ -115,12 +111,12 @@ std::string broken_words(const Errors& errors) {
   }
   if (errors.not_finite > 0) return "contributions that are no number";
   if (errors.leaks > 0) {
-    return fmt::format("{} {} away from penumbrae whose sum is not whole", errors.leaks,
-                       errors.leaks == 1 ? "pixel" : "pixels");
+    return fmt::format("{} {} away from penumbrae whose sum is not the exact whole number",
+                       errors.leaks, errors.leaks == 1 ? "pixel" : "pixels");
   }
   if (errors.rms <= kLargestRms && errors.rms_penumbra <= kLargestRms) {
     return fmt::format("a step across a plane off by {} beyond its sensitivity",
-                       error_text(errors.jump));
+                       error_text(errors.jump ? errors.jump->excess : 0.0));
   }
   return fmt::format("an RMS error of {}, in penumbrae of {}, where {} is the bar",
                      error_text(errors.rms), error_text(errors.rms_penumbra),

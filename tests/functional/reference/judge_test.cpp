@@ -237,7 +237,7 @@ TEST(Judge, SensitivityIsTheTraces) {
   const Scene scene = scene_of(view);
   const Frame frame = frame_of(scene, view);
   const std::vector<std::size_t> pixels = surfaces_of(frame);
-  const std::vector<double> judged = judge_sensitivity(scene, frame, pixels);
+  const std::vector<double> judged = judge_with_sensitivity(scene, frame, pixels).sensitivity;
   int sensitive = 0;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     ASSERT_NEAR(judged[i], frame.trace.li_sensitivity[pixels[i]], 1e-7) << pixels[i];

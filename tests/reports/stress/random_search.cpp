@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/error.h"
 #include "functional/reference/judge.h"
 #include "functional/scene/scene_check.h"
-#include "model/count/count.h"
+#include "reports/stress/configurations.h"
+#include "reports/stress/errors.h"
 #include "reports/stress/evaluate.h"
 #include "reports/stress/flag.h"
+#include "reports/stress/frame.h"
 #include "traces/depth.h"
 
 namespace wedgesim::reports::stress {
@@ -19,23 +20,22 @@ namespace {
 
 using functional::Frame;
 
-constexpr double kExact = 1e-6;
-constexpr double kFixed = 2.0 / 255.0;
+constexpr double kExact = tolerance_of(Arithmetic::double_precision);
+constexpr double kFixed = tolerance_of(Arithmetic::fixed);
 constexpr std::size_t kDescribed = 12;  // faults
-
-model::ZMethod method_of(const Frame& frame) {
-  return frame.trace.header.expected_z_method == traces::fb::ZMethod_fail ? model::ZMethod::fail
-                                                                          : model::ZMethod::pass;
-}
 
 class Probing {
  public:
-  explicit Probing(const Case& random_case) : case_(random_case) {
+  Probing(const Case& random_case, const Planted& planted) : case_(random_case) {
     functional::check_scene(case_.scene, case_.scene.place);
     frame_ = functional::make_frame(case_.scene, case_.options);
     renderer_ = frame_.trace.expected_li;
     exact_ = evaluate_with(model::DatapathKind::exact, exact_evaluation_);
     fixed_ = evaluate_with(model::DatapathKind::fixed, fixed_evaluation_);
+    for (const auto& [name, li] :
+         {std::pair{"renderer", &renderer_}, {"exact", &exact_}, {"fixed", &fixed_}}) {
+      if (planted.arithmetic == name) li->at(planted.pixel) += planted.li;
+    }
   }
 
   Probe run(bool judge_all) {
@@ -62,32 +62,15 @@ class Probing {
     if (evaluation.not_finite > 0) {
       complain(kind, fmt::format("{} contributions are no number", evaluation.not_finite));
     }
-    check_configurations(datapath, evaluation.sums);
+    if (!configurations_agree(frame_, datapath, evaluation.sums)) {
+      complain(kind, "configurations disagree");
+    }
     std::vector<double> li;
     for (const std::int64_t sum : evaluation.sums) {
       if (!datapath.li_holds(sum)) complain(kind, "LI leaves its word");
       li.push_back(static_cast<double>(sum) / datapath.one());
     }
     return li;
-  }
-
-  void check_configurations(const model::Datapath& datapath,
-                            const std::vector<std::int64_t>& sums) {
-    using namespace model;  // NOLINT: the vocabulary of configurations
-    const ZChoice z = method_of(frame_) == ZMethod::fail ? ZChoice::fail : ZChoice::automatic;
-    const std::array configs{
-        CountConfig{Mode::three_pass, 2, Cull::both, UmbraCull::zmax, Accept::none, Share::eye, z},
-        CountConfig{Mode::single_pass, 4, Cull::sat, UmbraCull::zmax, Accept::zmin, Share::all, z},
-    };
-    CountOptions options;
-    options.threads = 1;
-    options.maps = true;
-    options.datapath = datapath;
-    for (const CountResult& result : count(frame_.trace.view(), configs, options)) {
-      if (result.wrong_contributions != 0 || result.li != sums) {
-        complain(datapath.kind, "configurations disagree");
-      }
-    }
   }
 
   void complain(model::DatapathKind kind, const std::string& what) {
@@ -112,17 +95,12 @@ class Probing {
   }
 
   void judge() {
-    std::array<std::vector<double>, 3> li;
-    for (const int step : {-1, 0, 1}) {
-      li[static_cast<std::size_t>(step + 1)] =
-          functional::judge_light_intensity(case_.scene, frame_, pixels_, step);
-    }
+    const functional::Judgement judged =
+        functional::judge_with_sensitivity(case_.scene, frame_, pixels_);
     for (std::size_t k = 0; k < pixels_.size(); ++k) {
-      const double sensitivity =
-          std::max(std::fabs(li[0][k] - li[1][k]), std::fabs(li[2][k] - li[1][k]));
-      hold("renderer", renderer_, kExact, k, li[1][k], sensitivity);
-      hold("exact", exact_, kExact, k, li[1][k], sensitivity);
-      hold("fixed", fixed_, kFixed, k, li[1][k], sensitivity);
+      hold("renderer", renderer_, kExact, k, judged.li[k], judged.sensitivity[k]);
+      hold("exact", exact_, kExact, k, judged.li[k], judged.sensitivity[k]);
+      hold("fixed", fixed_, kFixed, k, judged.li[k], judged.sensitivity[k]);
     }
   }
 
@@ -168,10 +146,10 @@ class Probing {
 
 }  // namespace
 
-Probe probe(const Case& random_case, bool judge_all) {
+Probe probe(const Case& random_case, bool judge_all, const Planted& planted) {
   std::optional<Probing> probing;
   try {
-    probing.emplace(random_case);
+    probing.emplace(random_case, planted);
   } catch (const InputError& error) {
     Probe refused;
     refused.refused = error.what();
