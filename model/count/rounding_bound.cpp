@@ -11,8 +11,9 @@
 namespace wedgesim::model {
 namespace {
 
-// Forms are moved one at a time, but it is the differences of two that sides are told by.
-constexpr double kTogether = 2.0;
+// By how many errors a form is moved: one at a time, but sides are told by the differences of two.
+// What lies between may be more than what lies at the ends.
+constexpr std::array kMoves{-2.0, -1.0, 1.0, 2.0};
 
 // A form at a point, and how far its value may be off.
 struct Reading {
@@ -101,15 +102,15 @@ void for_each_form(LightTerms& terms, F f) {
 }
 
 // What moving forms one at a time does not show. In floating point an edge is clipped to a
-// rectangle by shares of its length: what is small beside the edge as seen from the point is lost.
+// rectangle by shares of its length: of an edge with both ends far outside, as seen
+// from the point, what is small beside it is lost.
 template <typename Real>
 double lost_by_clipping(const RectangleTermsOf<Real>& terms, const Point& p) {
-  double reach = 0.0;
-  double height = 0.0;
-  for (const auto& end : terms.ends) {
-    reach = std::max({reach, std::fabs(read(end.u, p).value), std::fabs(read(end.v, p).value)});
-    height = std::max(height, std::fabs(read(end.w, p).value));
-  }
+  const auto size = [&](const auto& form) { return std::fabs(read(form, p).value); };
+  const auto& [begin, end] = terms.ends;
+  const double reach =
+      std::min(std::max(size(begin.u), size(begin.v)), std::max(size(end.u), size(end.v)));
+  const double height = std::min(size(begin.w), size(end.w));
   return 2.0 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * reach / height;
 }
 double lost_by_clipping(const datapath::RectangleSetup&, const Point&) { return 0.0; }
@@ -138,11 +139,34 @@ double lost_together(const RectangleTermsOf<Real>& terms, const Point& p) {
 double lost_together(const datapath::RectangleSetup& setup, const Point& p) {
   return lost_rectangle(setup, p);
 }
+// And so may an edge whose distance from the centre of a sphere's disc is off by much of its
+// radius.
+double lost_disc(double off_normal, double normal, double beyond, double distance) {
+  constexpr double kMuch = 0.25;
+  return distance * off_normal > kMuch * std::hypot(normal, beyond) ? 1.0 : 0.0;
+}
+template <typename Real>
+double lost_together(const SphereTermsOf<Real>& terms, const Point& p) {
+  const Reading normal = read(terms.normal, p);
+  const auto distance = static_cast<double>(terms.distance);
+  const double beyond = read(terms.w, p).value * distance - read(terms.out, p).value;
+  return lost_disc(normal.error, normal.value, beyond, distance);
+}
+double lost_together(const datapath::DiscSetup& setup, const Point& p) {
+  const auto scaled = [](const datapath::FixedForm& form, double x) {
+    return std::ldexp(x, form.exponent);
+  };
+  const Reading normal = read(setup.normal, p);
+  return lost_disc(scaled(setup.normal, normal.error), scaled(setup.normal, normal.value),
+                   scaled(setup.beyond, read(setup.beyond, p).value),
+                   std::sqrt(setup.distance_squared));
+}
 double lost_together(const LightTerms& terms, const Point& p) {
   const auto visit = [&](const auto& of) { return lost_together(of, p); };
   if (const auto* fixed = std::get_if<FixedTerms>(&terms)) return std::visit(visit, fixed->setup);
   if (const auto* single = std::get_if<SingleTerms>(&terms)) return std::visit(visit, *single);
   if (const auto* rectangle = std::get_if<RectangleTerms>(&terms)) return visit(*rectangle);
+  if (const auto* sphere = std::get_if<SphereTerms>(&terms)) return visit(*sphere);
   return 0.0;
 }
 
@@ -251,8 +275,8 @@ class PixelShare {
       const Reading reading = read(form, p);
       const auto kept = form;
       double most = 0.0;
-      for (const double by : {-kTogether * reading.error, kTogether * reading.error}) {
-        shift(form, by);
+      for (const double by : kMoves) {
+        shift(form, by * reading.error);
         most = std::max(most, std::fabs(light(p) - value));
         form = kept;
       }

@@ -24,10 +24,10 @@ struct Doubt {
 ///   half pixels, Z its depth in steps;
 /// - in floating point: 4 u (|a| X + |b| Y + |c| Z + |d|), u = 2^-24 or 2^-53.
 /// A plane within E of 0 may be decided either way. The light intensity or coverage is off by the
-/// sum of what moving each of its forms by 2 E changes: sides are told by differences of two. Where
-/// several stored depths share one depth of the datapath, the next depths on either side are asked,
-/// too. A bound to first order: forms are moved one at a time. What the trace's own numbers, in
-/// double, have lost is not in it.
+/// sum of what moving each of its forms by up to 2 E changes: sides are told by differences of two.
+/// Where several stored depths share one depth of the datapath, the next depths on either side are
+/// asked, too. A bound to first order: forms are moved one at a time; an edge of which too little
+/// is sure may hide all. What the trace's own numbers, in double, have lost is not in it.
 class RoundingBound {
  public:
   /// \param operands  of the same datapath

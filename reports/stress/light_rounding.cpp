@@ -5,8 +5,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "functional/light/coverage.h"
 #include "functional/scene/across.h"
 
 namespace wedgesim::reports::stress {
@@ -75,6 +77,11 @@ struct Part {
   }
 };
 
+// The distance of the line through two points from the origin.
+double off_centre(const glm::dvec2& p, const glm::dvec2& q) {
+  return std::fabs(p.x * q.y - p.y * q.x) / glm::distance(p, q);
+}
+
 }  // namespace
 
 double light_rounding(const traces::TraceView& trace, const traces::fb::Wedge& wedge, double x,
@@ -94,11 +101,20 @@ double light_rounding(const traces::TraceView& trace, const traces::fb::Wedge& w
     }
   }
   if (!(part.low < part.high)) return 0.0;
-  const auto third = [&](double s) { return a.value.z + s * (b.value.z - a.value.z); };
-  const double scale = std::min(third(part.low), third(part.high));
+  const auto at = [&](double s) { return a.value + s * (b.value - a.value); };
+  const glm::dvec3 p = at(part.low), q = at(part.high);
+  const double scale = std::min(p.z, q.z);
+  if (!(scale > 0.0)) return 1.0;
   const auto most = [](const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); };
   const double clipped = kUnit * (most(glm::abs(a.value)) + most(glm::abs(b.value)));
-  return (most(a.error) + most(b.error) + clipped) / scale;
+  const double moved = (most(a.error) + most(b.error) + clipped) / scale;
+  if (off_centre(glm::dvec2(p) / p.z, glm::dvec2(q) / q.z) > moved) return moved;
+  // The plane of its shadow quad, made from other numbers, may say that the point is on the other
+  // side: what the edge covers then counts with the wrong sign, what it leaves of a half instead.
+  const double covers = functional::coverage(
+      disc ? functional::LightShape::sphere : functional::LightShape::rectangle, point.value,
+      vec(wedge.edge_begin()), vec(wedge.edge_end()));
+  return moved + 2.0 * std::min(covers, 0.5 - covers);
 }
 
 }  // namespace wedgesim::reports::stress
