@@ -70,8 +70,9 @@ struct LinearWedge {
 /// quad (Paper I, 4.1), or touch opposite corners of a rectangle (Paper I, 8). Neighbours share a
 /// side plane through the intersections of their front and of their back planes. Edges whose line
 /// meets the light, through which no such planes pass, are left out, their ends joined (Paper I, 8:
-/// those nearly parallel to the light's direction); so are those shorter than 1e-10 of their way
-/// from the light, whose direction is rounding.
+/// those nearly parallel to the light's direction); so are those whose line passes the light's
+/// centre at less than 1e-3 of the way to their nearer end, of whatever light, and those shorter
+/// than 1e-10 of that way, whose direction is rounding.
 /// \param loop    the corners in order, world space
 /// \param bounds  of the light and all that receives; wedges whose sides diverge end well outside
 std::vector<LinearWedge> linear_wedges(const Light& light, std::vector<glm::dvec3> loop,

@@ -188,7 +188,6 @@ TEST_P(LinearWedgeOfLight, HoldsTheMiddleOfThePenumbra) {
   EXPECT_GT(held, all * 9 / 10);
 }
 
-// An edge that points at the light is left out, its ends joined (Paper I, 8).
 struct CornerCase {
   const char* what;
   std::vector<glm::dvec3> loop;
@@ -382,6 +381,7 @@ TEST(LinearWedge, EdgesThatPointIntoTheLightAreLeftOut) {
   EXPECT_EQ(edges_left({0.48, 10.0, -0.48}), 5U) << "beside the sphere";
 }
 
+// An edge that points at the light is left out, its ends joined (Paper I, 8).
 TEST(LinearWedge, EdgesThatPointAtTheLightAreLeftOut) {
   Light light;
   light.centre = {0.0, 10.0, 0.0};

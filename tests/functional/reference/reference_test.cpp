@@ -205,7 +205,6 @@ TEST(Reference, ATextureIsHiddenAsAWhole) {
   }
 }
 
-// Numbers of samples that are no squares of multiples of the packet's size.
 // A face sees the part of the light before its plane, up to its very edge.
 TEST(Reference, AFaceWhosePlaneCutsTheLight) {
   Scene scene;
@@ -239,6 +238,7 @@ TEST(Reference, AFaceWhosePlaneCutsTheLight) {
   EXPECT_GT(on_face, 500);
 }
 
+// Numbers of samples that are no squares of multiples of the packet's size.
 TEST(Reference, AnyNumberOfSamples) {
   const Scene scene = half_plane(LightShape::rectangle);
   const Rendered r = render(scene);
