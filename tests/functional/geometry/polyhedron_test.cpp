@@ -18,6 +18,14 @@ Bounds unit_box() {
   return box;
 }
 
+// That of a call without one, always quadruple precision, and one that ordinary scenes ask for,
+// which double serves.
+class PolyhedronOfAccuracy : public testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(Polyhedron, PolyhedronOfAccuracy, testing::Values(0.0, 1e-10),
+                         [](const auto& parameter) {
+                           return parameter.param > 0.0 ? "Double" : "Quadruple";
+                         });
+
 bool inside(const std::vector<glm::dvec4>& planes, const glm::dvec3& p) {
   for (const glm::dvec4& plane : planes) {
     if (glm::dot(glm::dvec3(plane), p) + plane.w < 0.0) return false;
@@ -51,7 +59,7 @@ TEST(Polyhedron, NothingInsideIsNoFaces) {
 
 // Is the surface closed, convex and outward, with each edge once in each direction, and its volume
 // that of the points inside all planes?
-TEST(Polyhedron, RandomPlanes) {
+TEST_P(PolyhedronOfAccuracy, RandomPlanes) {
   Random random(95);
   int cut = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -62,7 +70,7 @@ TEST(Polyhedron, RandomPlanes) {
       const glm::dvec3 p = random.in_box(glm::dvec3(0.0), glm::dvec3(1.0));
       planes.emplace_back(n, 0.3 - glm::dot(n, p));
     }
-    const WorldWedge volume = intersect_half_spaces(planes, unit_box());
+    const WorldWedge volume = intersect_half_spaces(planes, unit_box(), GetParam());
     if (volume.faces.empty()) continue;
     ++cut;
     const SurfaceFaults faults = faults_of(volume);
@@ -83,7 +91,7 @@ TEST(Polyhedron, RandomPlanes) {
 }
 
 // Planes through vertices and along faces of the box.
-TEST(Polyhedron, PlanesThroughCorners) {
+TEST_P(PolyhedronOfAccuracy, PlanesThroughCorners) {
   Random random(96);
   for (int i = 0; i < 3000; ++i) {
     std::vector<glm::dvec4> planes;
@@ -92,7 +100,7 @@ TEST(Polyhedron, PlanesThroughCorners) {
       if (n == glm::dvec3(0.0)) continue;
       planes.emplace_back(n, 0.5 * random.whole(-2, 4));
     }
-    const WorldWedge volume = intersect_half_spaces(planes, unit_box());
+    const WorldWedge volume = intersect_half_spaces(planes, unit_box(), GetParam());
     if (volume.faces.empty()) continue;
     const SurfaceFaults faults = faults_of(volume);
     ASSERT_LT(faults.not_planar, 1e-12) << "case " << i;
