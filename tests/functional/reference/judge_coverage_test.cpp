@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <iostream>
 
@@ -290,25 +289,6 @@ TEST(JudgedCoverage, DegenerateInput) {
   // An edge beyond the sphere hides nothing of it.
   EXPECT_EQ(judged(LightShape::sphere, {{0, 0, 5}, {0.1, -1, -3}, {0.1, 1, -3}}), 0.0);
   EXPECT_EQ(judged(LightShape::point, {below, a, b}), 0.0);
-}
-
-// What one evaluation costs.
-TEST(JudgedCoverage, Cost) {
-  for (const LightShape shape : {LightShape::rectangle, LightShape::sphere}) {
-    Random random(1);
-    std::vector<Configuration> cases;
-    while (cases.size() < 2000) {
-      const Configuration c = random_configuration(random, shape);
-      if (judged(shape, c) > 0.0) cases.push_back(c);
-    }
-    const auto start = std::chrono::steady_clock::now();
-    double sum = 0.0;
-    for (const Configuration& c : cases) sum += judged(shape, c);
-    const std::chrono::duration<double, std::micro> spent =
-        std::chrono::steady_clock::now() - start;
-    std::cout << spent.count() / static_cast<double>(cases.size()) << " us each\n";
-    EXPECT_GT(sum, 0.0);
-  }
 }
 
 }  // namespace
