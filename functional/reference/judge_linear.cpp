@@ -35,14 +35,6 @@ Direction quad_normal(const RealVector& light, const RealVector& begin, const Re
   return direction(cross(edge, ray), length_of(edge) * length_of(ray));
 }
 
-std::array<RealVector, 4> rectangle_corners(const Light& light) {
-  const RealVector u(light.half_u);
-  const RealVector v(light.half_v);
-  const RealVector p = u + v;
-  const RealVector q = u - v;
-  return {Real(-1) * p, q, p, Real(-1) * q};
-}
-
 // The corner whose plane through an edge has the whole light on the lit side (`sign` 1) or on the
 // other; if there is none, because the edge's line meets the light after all, the decided one.
 // A corner on the line is in every plane.
@@ -79,6 +71,14 @@ Real portion(const Real& a, const Real& by_a, const Real& b, const Real& by_b) {
 }
 
 }  // namespace
+
+std::array<RealVector, 4> rectangle_corners(const Light& light) {
+  const RealVector u(light.half_u);
+  const RealVector v(light.half_v);
+  const RealVector p = u + v;
+  const RealVector q = u - v;
+  return {Real(-1) * p, q, p, Real(-1) * q};
+}
 
 Real JudgedWedge::share(const JudgedPlace& place) const {
   for (const JudgedPlane& plane : planes_) {

@@ -15,6 +15,10 @@ struct Direction {
   double loss = 1.0;
 };
 
+/// Of a rectangular light, from its centre, in the order of light_corners: LinearCorner::touched
+/// says which.
+std::array<RealVector, 4> rectangle_corners(const Light& light);
+
 /// A `linear` wedge in 200 bits, for places relative to the light's centre.
 class JudgedWedge {
  public:

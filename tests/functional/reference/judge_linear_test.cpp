@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "functional/geometry/extent.h"
 #include "tests/functional/random.h"
 
 namespace wedgesim::functional {
@@ -47,6 +48,20 @@ struct Case {
 Case square(double half, double height) {
   return Case(
       {{half, height, half}, {half, height, -half}, {-half, height, -half}, {-half, height, half}});
+}
+
+// Are the corners that a frame's data count those that the judge takes?
+TEST(JudgeLinear, CornersOfTheLightAreInTheOrderOfTheFrames) {
+  Light light;
+  light.centre = {1.0, 10.0, -2.0};
+  light.half_u = {0.5, 0.125, 0.0};
+  light.half_v = {-0.0625, 0.25, 2.0};
+  const auto judged = rectangle_corners(light);
+  const std::vector<glm::dvec3> corners = light_corners(light);
+  ASSERT_EQ(corners.size(), judged.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    EXPECT_EQ(light.centre + to_double(judged[i]), corners[i]) << i;
+  }
 }
 
 // A square under a square. Rays from (-1, 10) and (1, 10) pass the edge (2, 5): the planes are
