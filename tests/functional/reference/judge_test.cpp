@@ -310,14 +310,22 @@ TEST(Judge, GivesNumbersForDegenerateInput) {
         const Frame frame = frame_of(scene, {"", light, kind});
         const std::vector<std::size_t> pixels = surfaces_of(frame);
         ASSERT_GT(pixels.size(), 300U);
-        int shadowed = 0;
+        int shadowed = 0, in_part = 0;
         for (const int step : {-1, 0, 1}) {
           for (const double li : judge_light_intensity(scene, frame, pixels, step)) {
             ASSERT_TRUE(std::abs(li) <= 2.0) << li;
             if (li < 0.5) ++shadowed;
+            if (li > 0.5 && li < 0.99) ++in_part;
           }
         }
-        EXPECT_GT(shadowed, eye_at_light ? -1 : 50);
+        EXPECT_EQ(in_part > 50, light != LightShape::point) << in_part;
+        if (!eye_at_light) {
+          EXPECT_GT(shadowed, 50);
+        } else if (kind == fb::WedgeKind_coverage || light == LightShape::point) {
+          EXPECT_EQ(shadowed, 0) << "where the light's centre is seen";
+        } else {
+          EXPECT_LT(shadowed, 50) << "half a penumbra is brighter, but for rough wedges";
+        }
       }
     }
   }
