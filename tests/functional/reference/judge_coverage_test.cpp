@@ -9,6 +9,7 @@
 
 #include "functional/light/coverage.h"
 #include "functional/scene/across.h"
+#include "model/count/contribution.h"
 #include "tests/functional/random.h"
 
 namespace wedgesim::functional {
@@ -140,6 +141,40 @@ TEST_P(OfLight, AgreesWithDouble) {
     ASSERT_LE(difference, 1e-11) << i;
   }
   std::cout << "largest difference " << worst << '\n';
+}
+
+// What the block's formula in double gives of a sphere.
+double by_the_block(const Configuration& c) {
+  const auto constant = [](double d) { return model::Row{0, 0, 0, d}; };
+  const model::SphereTerms terms = model::sphere_terms(
+      {constant(c.point.x), constant(c.point.y), constant(c.point.z), constant(1.0)}, c.begin,
+      c.end);
+  return model::coverage(terms, 0.0, 0.0, 0.0);
+}
+
+// Does the block's, too?
+TEST(JudgedCoverage, AgreesWithTheBlocksDouble) {
+  Random random(8);
+  double worst = 0.0;
+  for (int i = 0; i < 3000; ++i) {
+    const Configuration c = random_configuration(random, LightShape::sphere);
+    const double covered = judged(LightShape::sphere, c);
+    if (covered == 0.0) continue;
+    worst = std::max(worst, std::abs(covered - by_the_block(c)));
+    ASSERT_LE(worst, 1e-11) << i;
+  }
+  std::cout << "largest difference " << worst << '\n';
+}
+
+// And does it keep its digits on edges whose ends are far apart?
+TEST(JudgedCoverage, AgreesWithTheBlocksDoubleOnLongEdges) {
+  for (const double ratio : {1e2, 1e4, 1e6, 1e8}) {
+    const Configuration c{
+        {0.4, -0.1, 6.0}, {-0.3, 0.2, 1.5}, {ratio, 0.35 * ratio, 1.5 + 0.8 * ratio}};
+    const double covered = judged(LightShape::sphere, c);
+    EXPECT_GT(covered, 0.1) << ratio;
+    EXPECT_NEAR(by_the_block(c), covered, 1e-15) << ratio;
+  }
 }
 
 // Are the parts of an edge its whole, to nearly 200 bits?
