@@ -40,7 +40,8 @@ std::vector<Genes> simpler(const Genes& genes);
 
 /// "light=1 first.shape=3": the numbers that are not 0.
 std::string text_of(const Genes& genes);
-/// The opposite of text_of. \throws InputError naming a word that is no such number
+/// The opposite of text_of. \throws InputError naming a word that is no such number, or out of its
+/// range
 Genes genes_of(std::string_view text);
 
 /// The frame that the numbers describe. It may be one that is refused.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reports/stress/families/random_case.h"
+#include "reports/stress/families/random_genes.h"
 #include "reports/stress/families/random_shapes.h"
 
 namespace wedgesim::reports::stress {
@@ -17,57 +18,53 @@ using functional::LightShape;
 using functional::Mesh;
 using functional::Scene;
 
-// The numbers of random_case.cpp's tables, in their order.
 enum SceneGene : std::size_t {
-  kKind,
-  kFormat,
-  kZFail,
-  kLight,
-  kLightSize,
-  kLightFlat,
-  kLightTiltX,
-  kLightTiltZ,
-  kLightRoll,
-  kScale,
-  kOffset,
-  kOffsetWay,
-  kAxes,
-  kTurn,
-  kGrid,
-  kFloorTiltX,
-  kFloorTiltZ,
-  kFloorSize,
-  kWall,
-  kEyePlace,
-  kEyeX,
-  kEyeY,
-  kEyeZ,
-  kEyeDistance,
-  kView,
-  kNear,
-  kFar,
-  kTargetX,
-  kTargetZ,
-  kCloseUp,
-  kUp,
-  kCasters,
-  kSceneEnd
+  kKind = scene_place("kind"),
+  kFormat = scene_place("format"),
+  kZFail = scene_place("z_fail"),
+  kLight = scene_place("light"),
+  kLightSize = scene_place("light_size"),
+  kLightFlat = scene_place("light_flat"),
+  kLightTiltX = scene_place("light_tilt_x"),
+  kLightTiltZ = scene_place("light_tilt_z"),
+  kLightRoll = scene_place("light_roll"),
+  kScale = scene_place("scale"),
+  kOffset = scene_place("offset"),
+  kOffsetWay = scene_place("offset_way"),
+  kAxes = scene_place("axes"),
+  kTurn = scene_place("turn"),
+  kGrid = scene_place("grid"),
+  kFloorTiltX = scene_place("floor_tilt_x"),
+  kFloorTiltZ = scene_place("floor_tilt_z"),
+  kFloorSize = scene_place("floor_size"),
+  kWall = scene_place("wall"),
+  kEyePlace = scene_place("eye_place"),
+  kEyeX = scene_place("eye_x"),
+  kEyeY = scene_place("eye_y"),
+  kEyeZ = scene_place("eye_z"),
+  kEyeDistance = scene_place("eye_distance"),
+  kView = scene_place("view"),
+  kNear = scene_place("near"),
+  kFar = scene_place("far"),
+  kTargetX = scene_place("target_x"),
+  kTargetZ = scene_place("target_z"),
+  kCloseUp = scene_place("close_up"),
+  kUp = scene_place("up"),
+  kCasters = scene_place("casters")
 };
 enum CasterGene : std::size_t {
-  kShape,
-  kDepth,
-  kSize,
-  kThick,
-  kPyramid,
-  kX,
-  kZ,
-  kCasterTurn,
-  kVertices,
-  kMove = kVertices + 12,
-  kThen = kMove + 4,
-  kCasterEnd = kThen + 4
+  kShape = caster_place("shape"),
+  kDepth = caster_place("depth"),
+  kSize = caster_place("size"),
+  kThick = caster_place("thick"),
+  kPyramid = caster_place("pyramid"),
+  kX = caster_place("x"),
+  kZ = caster_place("z"),
+  kCasterTurn = caster_place("turn"),
+  kVertices = caster_place("x0"),  // and eleven more
+  kMove = caster_place("move"),    // and three more
+  kThen = caster_place("then"),    // likewise
 };
-static_assert(kSceneEnd == kSceneGenes && kCasterEnd == kCasterGenes);
 
 constexpr double kFloorDepth = 2.0;  // below the light's centre, which is the origin at first
 // Of the view: narrower ones would show the rounding of the scene's own coordinates.

@@ -33,6 +33,23 @@ TEST(RandomCase, OtherWordsAreRefused) {
   }
 }
 
+// Numbers beyond a range would be taken for places in tables that end there.
+TEST(RandomCase, NumbersOutOfRangeAreRefused) {
+  EXPECT_EQ(input_error_of([] { genes_of("light=1 up=7"); }),
+            "random case: 'up=7' is out of range; expected a number from 0 to 2");
+  EXPECT_EQ(input_error_of([] { genes_of("second.depth=-31"); }),
+            "random case: 'second.depth=-31' is out of range; expected a number from -30 to 30");
+  for (const Gene& gene : gene_table()) {
+    const auto with = [&](int value) {
+      return input_error_of(
+          [&] { genes_of(std::string(gene.name) + "=" + std::to_string(value)); });
+    };
+    EXPECT_EQ(with(gene.low) + with(gene.high), "") << gene.name;
+    EXPECT_NE(with(gene.low - 1), "") << gene.name;
+    EXPECT_NE(with(gene.high + 1), "") << gene.name;
+  }
+}
+
 TEST(RandomCase, NumbersAreInTheirRanges) {
   std::mt19937_64 engine(2);
   std::array<int, kGenes> nonzero{};
