@@ -65,6 +65,8 @@ enum CasterGene : std::size_t {
   kMove = caster_place("move"),    // and three more
   kThen = caster_place("then"),    // likewise
 };
+static_assert(caster_place("z3") == kVertices + 11 && caster_place("move_by") == kMove + 3 &&
+              caster_place("then_by") == kThen + 3);
 
 constexpr double kFloorDepth = 2.0;  // below the light's centre, which is the origin at first
 // Of the view: narrower ones would show the rounding of the scene's own coordinates.
