@@ -130,11 +130,11 @@ TEST(Flag, ForeseesEachReason) {
       {"line-light,0,1e-8", Arithmetic::float32, kShows},
       {"many-edges,0,1000", Arithmetic::fixed, kMany},
       {"contact,0,0", Arithmetic::double_precision, kPasses},
-      {"found-flagged,0,4", Arithmetic::fixed, kPasses},
-      {"found-flagged,0,5", Arithmetic::fixed, kMoves},
-      {"found-flagged,0,13", Arithmetic::double_precision, kMoves},
+      {"found-flagged,0,3", Arithmetic::fixed, kPasses},
+      {"found-flagged,0,4", Arithmetic::fixed, kMoves},
+      {"found-flagged,0,8", Arithmetic::double_precision, kMoves},
       {"edge-at-light,0,0", Arithmetic::fixed, model::describe(model::FlagReason::plane)},
-      {"found-flagged,0,3", Arithmetic::fixed, model::describe(model::FlagReason::light)},
+      {"found-flagged,0,2", Arithmetic::fixed, model::describe(model::FlagReason::light)},
       {"near-far-reversed,0,1e9", Arithmetic::double_precision, kFiner},
   };
   for (const Doubtful& one : cases) {

@@ -23,8 +23,8 @@ TEST(LightRounding, IsNextToNothingInHarmlessFrames) {
 // one because it is everywhere the whole light.
 TEST(LightRounding, BoundsTheError) {
   std::size_t far_off = 0;
-  for (int i = 5; i <= 10; ++i) {
-    const std::string name = "found-flagged,0," + std::to_string(i);
+  for (const char* name : {"found,0,50", "found,0,52", "found-flagged,0,4", "found-flagged,0,5",
+                           "small-light,0,1e-11", "small-light,1,1e-11", "line-light,0,1e-14"}) {
     const Bounded bounded = expect_within_bounds(name);
     EXPECT_GE(bounded.tight, bounded.all / 2) << name;
     far_off += bounded.far_off;
