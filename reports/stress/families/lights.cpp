@@ -50,9 +50,10 @@ Case large_light(std::uint64_t seed, double ratio) {
   return std::move(stage.result);
 }
 
-// A box below the light: smaller than it while there is a gap, round it from there on.
-Case touching_light(std::uint64_t seed, double gap) {
-  constexpr double kSmall = 0.5;
+constexpr double kSmall = 0.5;
+
+// A box so far below a small light, in radii of it; sizes in radii, too.
+Case box_below(std::uint64_t seed, double gap, double box_width, double box_height) {
   Stage stage = make_stage(seed, kSmall);
   functional::Light& light = stage.light();
   double bottom = light.centre.y;
@@ -62,14 +63,22 @@ Case touching_light(std::uint64_t seed, double gap) {
   } else {
     bottom -= kSmall;
   }
-  const double width = (gap < 0.0 ? 3.0 : 0.75) * kSmall;
-  const double height = (gap < 0.0 ? 6.0 : 0.5) * kSmall;
+  const double width = box_width * kSmall;
+  const double height = box_height * kSmall;
   functional::Placement placement;
   placement.position = {light.centre.x, bottom - gap * kSmall - height, light.centre.z};
   add_caster(stage.result,
              functional::placed(functional::make_box({width, height, width}), placement));
   return std::move(stage.result);
 }
+
+// Smaller than the light while there is a gap, round it from there on.
+Case touching_light(std::uint64_t seed, double gap) {
+  return gap < 0.0 ? box_below(seed, gap, 3.0, 6.0) : box_below(seed, gap, 0.75, 0.5);
+}
+
+// Always smaller than the light: a spherical one comes to hold it, a rectangle to cut it.
+Case enclosing_light(std::uint64_t seed, double gap) { return box_below(seed, gap, 0.75, 0.5); }
 
 // A rectangle of any width down to a line, over a box two of whose sides run along it. Of a line
 // the `linear` wedges of the edges along it have no volume; lights of a sphere have no such shape.
@@ -122,6 +131,16 @@ std::vector<Family> light_families() {
        true,
        0.0,
        {1e-3, 1e-6, 0.0, -0.5, -3.0}},  // refused: the penumbra spans a half-space
+      {"enclosing-light",
+       "gap between caster and light in light radii; below 0 a spherical light comes to hold the "
+       "caster",
+       "",
+       {1.0, 0.5, 0.1, 0.0, -0.25, -0.5, -1.25},
+       {-1.25, -1.25},
+       enclosing_light,
+       true,
+       0.0,
+       {0.0, -0.25, -0.5, -1.25}},
   };
 }
 

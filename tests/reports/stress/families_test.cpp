@@ -48,7 +48,8 @@ double penumbra_share(const traces::Trace& trace) {
 }
 
 bool may_refuse(const Family& family, double level) {
-  return family.name == "touching-light" && level < family.levels.front();
+  return (family.name == "touching-light" || family.name == "enclosing-light") &&
+         level < family.levels.front();
 }
 
 // A level is excused from having penumbrae only if it has none.

@@ -138,6 +138,7 @@ std::map<std::string_view, Measure> caster_measures() {
       {"line-light", width_of_light},
       {"large-light", light_against_occluder},
       {"touching-light", gap_to_light},
+      {"enclosing-light", gap_to_light},
       {"offset", floor_from_origin},
       {"scale-up", floor_scale},
       {"scale-down", floor_scale},

@@ -52,6 +52,10 @@ TEST(StressWords, AreMadeFromTheResults) {
   EXPECT_EQ(bounds_words(results[0]),
             "Fixed holds throughout, float32 holds throughout, double holds throughout and "
             "renderer holds throughout.");
+  // Of a level at which nothing can be wrong no arithmetic is said to hold to it.
+  auto asking_less = results;
+  for (Measurement& m : asking_less[0].levels.back()) m.in_penumbra = 0;
+  EXPECT_EQ(bounds_words(asking_less[0]).substr(0, 38), "Fixed holds to 1e-4 (must to 1e-4), fl");
   EXPECT_EQ(bounds_words(results[1]),
             "Fixed holds throughout, float32 holds to 1, double holds to 0.001 (but must to 1e-4) "
             "and renderer holds throughout.");
