@@ -68,6 +68,10 @@ class Walk {
     const auto step = umbra.stencil_step * static_cast<std::int64_t>(datapath_.one());
     for (const Pixel& p : pixels_) {
       if (!umbra.outline.covers(p.x, p.y)) continue;
+      if (!umbra.cap && p.z >= umbra.z.min && p.z <= umbra.z.max) {
+        count_sign(trace_.umbra_polygons[*primitive.umbra].plane(),
+                   umbra.inner.inside(p.centre_x(), p.centre_y(), p.z), p);
+      }
       const bool hit = umbra.cap || model::is_inner(umbra, true, p.centre_x(), p.centre_y(), p.z) ==
                                         umbra.hits_inner;
       if (hit) result_.sums[p.index] += step;
@@ -97,14 +101,18 @@ class Walk {
     bool inside = p.z >= wedge.z.min && p.z <= wedge.z.max;
     for (std::size_t i = 0; i < wedge.planes.size(); ++i) {
       const bool said = wedge.planes[i].inside(p.centre_x(), p.centre_y(), p.z);
-      const std::uint32_t reference = (*record.planes())[static_cast<std::uint16_t>(i)];
-      const int sign = exact_sign(trace_.planes[traces::plane_index(reference)], p.centre_x(),
-                                  p.centre_y(), p.window_z);
-      result_.signs += 1;
-      result_.wrong_signs += said == ((sign >= 0) != traces::is_minus(reference)) ? 0 : 1;
+      count_sign((*record.planes())[static_cast<std::uint16_t>(i)], said, p);
       inside = inside && said;
     }
     return inside;
+  }
+
+  // Of a plane that is said to have a pixel inside, or not.
+  void count_sign(std::uint32_t reference, bool said, const Pixel& p) {
+    const int sign = exact_sign(trace_.planes[traces::plane_index(reference)], p.centre_x(),
+                                p.centre_y(), p.window_z);
+    result_.signs += 1;
+    result_.wrong_signs += said == ((sign >= 0) != traces::is_minus(reference)) ? 0 : 1;
   }
 
   // Single precision saturates what it gives: what counts is what it had before.

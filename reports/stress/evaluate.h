@@ -14,12 +14,12 @@ namespace wedgesim::reports::stress {
 struct Evaluation {
   std::vector<std::int64_t> sums;  // (height, width) words, fully lit included; not wrapped
   std::vector<std::uint32_t> contributions;  // (height, width) of wedges, to the pixels inside them
-  std::uint64_t signs = 0;                   // tests of a wedge's planes at the pixels it covers
-  std::uint64_t wrong_signs = 0;             // those that the trace's plane, exactly, denies
-  std::uint64_t not_finite = 0;              // contributions that are no number; they add nothing
-  std::uint64_t saturated = 0;               // contributions outside [0, 1], by more than rounding
-  std::uint64_t visits = 0;                  // pixels inside wedges: contributions evaluated
-  double seconds = 0.0;                      // of one thread, for `visits` contributions alone
+  std::uint64_t signs = 0;  // tests of planes, wedges' and umbra polygons', at what they cover
+  std::uint64_t wrong_signs = 0;  // those that the trace's plane, exactly, denies
+  std::uint64_t not_finite = 0;   // contributions that are no number; they add nothing
+  std::uint64_t saturated = 0;    // contributions outside [0, 1], by more than rounding
+  std::uint64_t visits = 0;       // pixels inside wedges: contributions evaluated
+  double seconds = 0.0;           // of one thread, for `visits` contributions alone
   /// What one primitive does at one pixel, units of full light.
   struct Share {
     std::size_t pixel = 0;

@@ -86,6 +86,14 @@ TEST(Evaluate, CountsWrongSigns) {
   const Evaluation single =
       evaluate(on_plane.trace.view(), method_of(on_plane), model::DatapathKind::float32);
   EXPECT_GT(single.wrong_signs, 0U);
+  // Umbra polygons without a wedge, whose planes alone decide.
+  functional::Frame lone = frame_of(parse_case("name", "found,0,19").make());
+  const auto of_polygons = [&] {
+    return evaluate(lone.trace.view(), method_of(lone), model::DatapathKind::float32);
+  };
+  EXPECT_GT(of_polygons().wrong_signs, 0U);
+  lone.trace.wedges.clear();
+  EXPECT_GT(of_polygons().wrong_signs, 0U);
 }
 
 TEST(WedgesAt, FindsThoseThatCoverAPixel) {
