@@ -127,24 +127,15 @@ double highest_degree(const Case& made) {
 
 std::map<std::string_view, Measure> caster_measures() {
   return {
-      {"grazing-edge", to_line_of_light},
-      {"edge-at-light", line_from_light},
-      {"collinear-edges", turn_at_corners},
-      {"acute-corner", corner_angle},
-      {"zigzag", to_line_of_light},
-      {"distance-ratio", ratio_of_distances},
-      {"short-edge", edge_length},
-      {"small-light", light_against_occluder},
-      {"line-light", width_of_light},
-      {"large-light", light_against_occluder},
-      {"touching-light", gap_to_light},
-      {"enclosing-light", gap_to_light},
-      {"offset", floor_from_origin},
-      {"scale-up", floor_scale},
-      {"scale-down", floor_scale},
-      {"many-edges", silhouette_edges},
-      {"many-edges-wide", silhouette_edges},
-      {"vertex-degree", highest_degree},
+      {"grazing-edge", to_line_of_light},    {"edge-at-light", line_from_light},
+      {"collinear-edges", turn_at_corners},  {"acute-corner", corner_angle},
+      {"zigzag", to_line_of_light},          {"distance-ratio", ratio_of_distances},
+      {"short-edge", edge_length},           {"small-light", light_against_occluder},
+      {"line-light", width_of_light},        {"large-light", light_against_occluder},
+      {"touching-light", gap_to_light},      {"enclosing-light", gap_to_light},
+      {"offset", floor_from_origin},         {"scale-up", floor_scale},
+      {"scale-down", floor_scale},           {"many-edges", silhouette_edges},
+      {"many-edges-wide", silhouette_edges}, {"vertex-degree", highest_degree},
   };
 }
 
