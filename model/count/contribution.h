@@ -107,7 +107,7 @@ double contribution(const LightTerms& terms, double x, double y, double z);
 
 /// What 1.0 is in the words of a format that has one width.
 constexpr double word_one(DatapathKind format) {
-  return format == DatapathKind::paper255 ? 255.0 : 1099511627776.0;
+  return format == DatapathKind::paper255 ? 255.0 : 0x1p40;
 }
 
 /// Adding 1.5 * 2^52 leaves the nearest integer, ties to even, in the low bits.

@@ -6,8 +6,8 @@
 #include "functional/methods/frame.h"
 #include "model/count/operands.h"
 #include "model/count/primitive.h"
+#include "reports/stress/errors.h"
 #include "reports/stress/family.h"
-#include "reports/stress/measure.h"
 
 namespace wedgesim::reports::stress {
 

@@ -32,8 +32,8 @@ struct Shrunk {
 
 /// Contributions add up, so the fewest edges whose errors alone pass the bar at the worst pixel are
 /// those with the largest errors of the sum's sign. Where the sum leaves LI's word none is to
-/// blame. \param measurement  of the case, with its pictures \return none if no pixel is beyond the
-/// bar
+/// blame. \param measurement  of the case, with its pictures \return             none if no pixel
+/// is beyond the bar
 std::optional<Shrunk> shrink(const Case& stress_case, const Measurement& measurement,
                              Arithmetic arithmetic);
 
