@@ -52,9 +52,7 @@ std::string shrink(const Arguments& arguments, const stress::Case& made,
   }
   std::optional<stress::Shrunk> shrunk;
   if (arithmetic) shrunk = stress::shrink(made, measurement, *arithmetic);
-  if (!shrunk)
-    return "\nnothing to shrink: no pixel is beyond the bar; leaks, jumps and RMS errors are not "
-           "shrunk\n";
+  if (!shrunk) return "\nnothing to shrink: no pixel is beyond the bar (not leaks, jumps, RMS)\n";
   return "\n" + stress::shrunk_text(*shrunk);
 }
 

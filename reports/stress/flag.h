@@ -27,8 +27,9 @@ struct Flagged {
 ///   may move a quarter of the tolerance, or its constants in double are rounded too far
 ///   (model/count/wedge_check.h);
 /// - fixed: if LI leaves its word at a pixel of it;
-/// - exact: also if a pixel of it has a reversed depth that is finer than double precision holds
-/// it. Others show only by comparison, at a pixel of it and beyond the sensitivity: that
+/// - exact: also if a pixel of it has a reversed depth that is finer than double precision is.
+///
+/// Others show only by comparison, at a pixel of it and beyond the sensitivity: that
 /// - exact differs from the trace's expected LI by a quarter of the datapath's tolerance;
 /// - the datapath differs by its tolerance from exact, or from the expected LI.
 ///

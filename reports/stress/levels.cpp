@@ -1,6 +1,7 @@
 #include "reports/stress/levels.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace wedgesim::reports::stress {
 
@@ -39,6 +40,12 @@ double condition_of(const std::vector<Measurement>& seeds) {
   return condition;
 }
 
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
 namespace {
 
 template <typename SecondsOf>
@@ -52,9 +59,7 @@ std::optional<double> median_nanoseconds(const FamilyResult& result, Arithmetic 
     }
   }
   if (times.empty()) return {};
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::ranges::nth_element(times, middle);
-  return *middle;
+  return median_of(std::move(times));
 }
 
 }  // namespace

@@ -13,6 +13,9 @@ Errors worst_of(const std::vector<Measurement>& seeds, Arithmetic arithmetic);
 /// The largest condition number of a level's seeds, at least 1; may be infinite.
 double condition_of(const std::vector<Measurement>& seeds);
 
+/// The upper median of some values.
+double median_of(std::vector<double> values);
+
 /// The median over a family's cases of the time that one contribution takes, nanoseconds of one
 /// thread; none for the renderer, or where no case has a contribution.
 std::optional<double> nanoseconds_of(const FamilyResult& result, Arithmetic arithmetic);

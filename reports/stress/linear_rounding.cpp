@@ -9,6 +9,7 @@
 
 #include "functional/geometry/linear_wedge.h"
 #include "functional/raster/exact_cross.h"
+#include "reports/stress/world.h"
 
 namespace wedgesim::reports::stress {
 namespace {
@@ -26,16 +27,9 @@ std::uint32_t plane_of(const traces::fb::Wedge& wedge, Side side) {
 }
 
 // A wedge's plane in the world, about the light's centre; not a unit normal.
-glm::dvec4 world_plane(const traces::TraceView& trace, const traces::fb::Wedge& wedge, Side side) {
+glm::dvec4 about_light(const traces::TraceView& trace, const traces::fb::Wedge& wedge, Side side) {
   const traces::fb::Plane& p = trace.planes[plane_of(wedge, side)];
-  const auto& columns = *trace.header.camera.window_from_world.columns();
-  glm::dvec4 world(0.0);
-  for (int column = 0; column < 4; ++column) {
-    const auto at = static_cast<std::uint16_t>(4 * column);
-    world[column] = p.a() * columns[at] + p.b() * columns[static_cast<std::uint16_t>(at + 1)] +
-                    p.c() * columns[static_cast<std::uint16_t>(at + 2)] +
-                    p.d() * columns[static_cast<std::uint16_t>(at + 3)];
-  }
+  glm::dvec4 world = world_plane(trace, {p.a(), p.b(), p.c(), p.d()});
   world.w += glm::dot(glm::dvec3(world), vec(trace.header.lights[wedge.light()].centre));
   return world;
 }
@@ -144,7 +138,7 @@ void LinearRounding::lose_edges(const std::vector<Corner>& corners) {
 // Of the edge, where its front and back plane meet a side plane.
 glm::dvec3 LinearRounding::vertex(std::uint32_t wedge, std::size_t side) const {
   const auto plane = [&](std::size_t of) {
-    return world_plane(trace_, trace_.wedges[wedge], static_cast<Side>(of));
+    return about_light(trace_, trace_.wedges[wedge], static_cast<Side>(of));
   };
   return common_point(plane(kFront), plane(kBack), plane(side));
 }
@@ -153,7 +147,7 @@ void LinearRounding::lose_sides(const Corner& corner) {
   const auto& [w, next] = corner;
   const auto line = [&](Side side) {
     const auto normal = [&](std::uint32_t wedge) {
-      return glm::normalize(glm::dvec3(world_plane(trace_, trace_.wedges[wedge], side)));
+      return glm::normalize(glm::dvec3(about_light(trace_, trace_.wedges[wedge], side)));
     };
     return meeting(normal(w), touched(w, side), normal(next), touched(next, side),
                    losses_[w][side].turn + losses_[next][side].turn);
@@ -175,20 +169,13 @@ void LinearRounding::lose_sides(const Corner& corner) {
 glm::dvec3 LinearRounding::touched(std::uint32_t wedge, std::size_t side) const {
   const traces::fb::Wedge& record = trace_.wedges[wedge];
   return touch(trace_.header.lights[record.light()],
-               world_plane(trace_, record, static_cast<Side>(side)));
+               about_light(trace_, record, static_cast<Side>(side)));
 }
 
 double LinearRounding::operator()(std::uint32_t wedge, double x, double y, double z) const {
   if (lost_[wedge]) return 1.0;
   const traces::fb::Wedge& record = trace_.wedges[wedge];
-  const auto& to_world = *trace_.header.camera.world_from_window.columns();
-  glm::dvec4 point(0.0);
-  for (int row = 0; row < 4; ++row) {
-    const auto at = [&](int column) {
-      return to_world[static_cast<std::uint16_t>(4 * column + row)];
-    };
-    point[row] = at(0) * x + at(1) * y + at(2) * z + at(3);
-  }
+  const glm::dvec4 point = world_point(trace_, x, y, z);
   const glm::dvec3 light = vec(trace_.header.lights[record.light()].centre);
   const double away = glm::distance(glm::dvec3(point) / point.w, light);
   std::array<double, 4> value{}, error{}, size{};
@@ -198,7 +185,7 @@ double LinearRounding::operator()(std::uint32_t wedge, double x, double y, doubl
     const double sign = traces::is_minus(reference) ? -1.0 : 1.0;
     value[side] = sign * (((p.a() * x + p.b() * y) + p.c() * z) + p.d());
     const Loss& loss = losses_[wedge][side];
-    const glm::dvec3 normal(world_plane(trace_, record, static_cast<Side>(side)));
+    const glm::dvec3 normal(about_light(trace_, record, static_cast<Side>(side)));
     // The value in the window is that in the world over the distance of view.
     size[side] = glm::length(normal);
     error[side] = loss.turn * (loss.distance + away) * size[side] * point.w;

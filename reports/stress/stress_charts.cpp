@@ -177,12 +177,6 @@ void fill_scatter(page::RowChart& chart, const std::string& x_title, Json x,
   chart.spec["layer"] = std::move(layers);
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 // How many levels all arithmetics are compared over: to the hardest that `fixed` must hold.
 std::size_t compared_levels(const FamilyResult& result) {
   const auto required = result.required(Arithmetic::fixed);

@@ -39,17 +39,17 @@ std::string flagged_words(const std::vector<FamilyResult>& results) {
   std::vector<std::string> parts;
   for (const Arithmetic a : kArithmetics) {
     std::uint64_t beyond = 0;
-    std::uint64_t unflagged = 0;
+    std::uint64_t unforeseen = 0;
     for (const FamilyResult& result : results) {
       for (const auto& level : result.levels) {
         const Errors worst = worst_of(level, a);
         beyond += worst.beyond;
-        unflagged += worst.unflagged;
+        unforeseen += worst.unforeseen;
       }
     }
-    parts.push_back(fmt::format("{} {} ({} of them at no flagged wedge)", name_of(a),
+    parts.push_back(fmt::format("{} {} ({} of them at no foreseen wedge)", name_of(a),
                                 page::number_text(static_cast<double>(beyond)),
-                                page::number_text(static_cast<double>(unflagged))));
+                                page::number_text(static_cast<double>(unforeseen))));
   }
   return fmt::format("Pixels beyond the bar, over all difficulties: {}.", page::listed(parts));
 }

@@ -1,12 +1,13 @@
 #include "reports/stress/trace_rounding.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "model/count/operands.h"
 #include "reports/stress/light_rounding.h"
 #include "reports/stress/linear_rounding.h"
+#include "reports/stress/world.h"
 #include "traces/depth.h"
 
 namespace wedgesim::reports::stress {
@@ -29,25 +30,16 @@ class Rounding {
  public:
   explicit Rounding(const traces::TraceView& trace) : trace_(trace), linear_(trace) {
     const traces::Camera& camera = trace.header.camera;
-    const auto& to_world = *camera.world_from_window.columns();
-    const std::array eye{camera.eye.x(), camera.eye.y(), camera.eye.z()};
+    const glm::dvec3 eye(camera.eye.x(), camera.eye.y(), camera.eye.z());
     const std::uint32_t width = trace.header.width;
     for (std::uint32_t i = 0; i < trace.depth.size(); ++i) {
       Pixel p{static_cast<int>(i % width), static_cast<int>(i / width)};
       p.x = p.column + 0.5;
       p.y = p.row + 0.5;
       p.z = traces::decode_depth(trace.header.depth_format, trace.depth[i]);
-      const auto homogeneous = [&](std::uint16_t row) {
-        const auto at = [&](std::uint16_t column) {
-          return to_world[static_cast<std::uint16_t>(4 * column + row)];
-        };
-        return at(0) * p.x + at(1) * p.y + at(2) * p.z + at(3);
-      };
-      p.per_distance = homogeneous(3);
-      const auto from_eye = [&](std::uint16_t row) {
-        return homogeneous(row) - eye[row] * p.per_distance;
-      };
-      p.way = std::hypot(from_eye(0), from_eye(1), from_eye(2));
+      const glm::dvec4 point = world_point(trace, p.x, p.y, p.z);
+      p.per_distance = point.w;
+      p.way = glm::length(glm::dvec3(point) - p.per_distance * eye);
       pixels_.push_back(p);
     }
   }
@@ -81,23 +73,9 @@ class Rounding {
                           std::fabs(plane.b) * trace_.header.height + std::fabs(plane.c) +
                           std::fabs(plane.d);
     const double value = ((plane.a * p.x + plane.b * p.y) + plane.c * p.z) + plane.d;
-    const double world = world_normal(plane) * (from_light_ * p.per_distance + p.way);
+    const glm::dvec3 normal(world_plane(trace_, {plane.a, plane.b, plane.c, plane.d}));
+    const double world = glm::length(normal) * (from_light_ * p.per_distance + p.way);
     return std::fabs(value) <= kRoundings * 0x1p-53 * (window + world);
-  }
-
-  // The length of the world plane's normal; its value is the window plane's times the distance of
-  // view.
-  double world_normal(const model::Plane& plane) const {
-    const auto& from_world = *trace_.header.camera.window_from_world.columns();
-    const std::array terms{plane.a, plane.b, plane.c, plane.d};
-    const auto dot = [&](std::size_t column) {
-      double sum = 0.0;
-      for (std::size_t row = 0; row < terms.size(); ++row) {
-        sum += terms[row] * from_world[static_cast<std::uint16_t>(4 * column + row)];
-      }
-      return sum;
-    };
-    return std::hypot(dot(0), dot(1), dot(2));
   }
 
   double moved(const Primitive& primitive) const {

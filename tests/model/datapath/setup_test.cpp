@@ -11,6 +11,7 @@
 
 #include "model/count/primitive.h"
 #include "model/count/z_frame.h"
+#include "tests/functional/random.h"
 #include "tests/model/datapath/one_point.h"
 #include "tests/support/render.h"
 
@@ -96,6 +97,17 @@ TEST(Contribution, LosesAccuracyWithItsBits) {
   EXPECT_GT(errors_of(trace.view(), narrow).rms(), 1e-3);
 }
 
+// Coverage by one edge, as seen from its point.
+double in_double(const OnePoint& one) {
+  return model::contribution(model::light_terms(one.trace.view(), one.wedge), 0.5, 0.5, 0.5);
+}
+double in_fixed(const OnePoint& one) {
+  const ZSteps steps(traces::fb::DepthFormat_unorm24);
+  const Formats formats;
+  return contribution(light_setup(one.trace.view(), one.wedge, steps, formats), {1, 1, 8388608},
+                      formats.round());
+}
+
 // Points behind an edge of any length that crosses the light's image, contact among them.
 TEST(Contribution, IsWithinItsStatedErrorForPointsLightsAndEdgesAtRandom) {
   const unsigned seed = 2003;
@@ -104,8 +116,6 @@ TEST(Contribution, IsWithinItsStatedErrorForPointsLightsAndEdgesAtRandom) {
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
-  const ZSteps steps(traces::fb::DepthFormat_unorm24);
-  const Formats formats;
   for (const bool sphere : {false, true}) {
     const auto shape = sphere ? traces::fb::LightShape_sphere : traces::fb::LightShape_rectangle;
     Errors errors;
@@ -120,16 +130,11 @@ TEST(Contribution, IsWithinItsStatedErrorForPointsLightsAndEdgesAtRandom) {
       const glm::dvec3 half{size * uniform(-1, 1), size * uniform(-1, 1), size * uniform(-1, 1)};
       if (middle.z - std::fabs(half.z) < 1.0) continue;
       const OnePoint one(shape, point, uniform(0.1, 10.0), middle - half, middle + half);
-      const auto view = one.trace.view();
-      const double exact = model::contribution(model::light_terms(view, one.wedge), 0.5, 0.5, 0.5);
+      const double exact = in_double(one);
       // What rounding the edge's ends to 2^-50 changes.
       const glm::dvec3 nudge = half * 1e-9;
       const OnePoint near(shape, point, 1.0, middle - half + nudge, middle + half + nudge);
-      const double moved =
-          model::contribution(model::light_terms(near.trace.view(), near.wedge), 0.5, 0.5, 0.5);
-      const double fixed = contribution(light_setup(view, one.wedge, steps, formats),
-                                        {1, 1, 8388608}, formats.round());
-      errors.add(exact, fixed, std::fabs(moved - exact));
+      errors.add(exact, in_fixed(one), std::fabs(in_double(near) - exact));
       lit += exact > 0.0 ? 1 : 0;
     }
     std::cout << (sphere ? "sphere" : "rectangle") << ": " << errors.count << " points, " << lit
@@ -144,28 +149,20 @@ TEST(Contribution, IsWithinItsStatedErrorForPointsLightsAndEdgesAtRandom) {
 // Edges with one end so far away that the other would have no digits on its exponent. The reference
 // is double precision with the edge cut off outside the light.
 TEST(Contribution, EndsThatAreNearKeepTheirDigits) {
-  const unsigned seed = 2005;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937 random(seed);
-  const auto uniform = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
-  const ZSteps steps(traces::fb::DepthFormat_unorm24);
-  const Formats formats;
+  functional::Random random(2005);
   std::size_t lit = 0;
   for (int i = 0; i < 20000; ++i) {
-    const glm::dvec3 point{uniform(-3.0, 3.0), uniform(-3.0, 3.0), uniform(4.0, 20.0)};
-    const glm::dvec3 image{uniform(-0.9, 0.9), uniform(-0.9, 0.9), 0.0};
-    const glm::dvec3 begin = image + (point - image) * uniform(0.2, 0.8);
-    const double angle = uniform(0.0, 6.3);
+    const glm::dvec3 point{random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0),
+                           random.uniform(4.0, 20.0)};
+    const glm::dvec3 image{random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9), 0.0};
+    const glm::dvec3 begin = image + (point - image) * random.uniform(0.2, 0.8);
+    const double angle = random.uniform(0.0, 6.3);
     const glm::dvec3 way{std::cos(angle), std::sin(angle), 0.0};
-    const glm::dvec3 end = begin + way * std::exp2(uniform(10.0, 50.0));
+    const glm::dvec3 end = begin + way * std::exp2(random.uniform(10.0, 50.0));
     const OnePoint one(traces::fb::LightShape_rectangle, point, 1.0, begin, end);
     const OnePoint cut(traces::fb::LightShape_rectangle, point, 1.0, begin, begin + 8.0 * way);
-    const double exact =
-        model::contribution(model::light_terms(cut.trace.view(), cut.wedge), 0.5, 0.5, 0.5);
-    const double fixed = contribution(light_setup(one.trace.view(), one.wedge, steps, formats),
-                                      {1, 1, 8388608}, formats.round());
+    const double exact = in_double(cut);
+    const double fixed = in_fixed(one);
     ASSERT_NEAR(exact, fixed, 1e-4) << "case " << i;
     lit += exact > 1e-3 ? 1 : 0;
   }
@@ -182,8 +179,6 @@ TEST(Contribution, EndsBeforeACornerOfTheLight) {
     return std::uniform_int_distribution<int>(low, high)(random);
   };
   const auto eighths = [&](int most) { return whole(-most, most) / 8.0; };
-  const ZSteps steps(traces::fb::DepthFormat_unorm24);
-  const Formats formats;
   std::size_t lit = 0;
   for (int i = 0; i < 200000; ++i) {
     const glm::dvec3 point{eighths(64), eighths(64), whole(16, 320) / 8.0};
@@ -197,10 +192,8 @@ TEST(Contribution, EndsBeforeACornerOfTheLight) {
     begin += glm::dvec3(whole(-1, 1), whole(-1, 1), whole(-1, 1)) * nudge;
     if (whole(0, 1) != 0) std::swap(begin, end);
     const OnePoint one(traces::fb::LightShape_rectangle, point, 1.0, begin, end);
-    const auto view = one.trace.view();
-    const double exact = model::contribution(model::light_terms(view, one.wedge), 0.5, 0.5, 0.5);
-    const double fixed = contribution(light_setup(view, one.wedge, steps, formats), {1, 1, 8388608},
-                                      formats.round());
+    const double exact = in_double(one);
+    const double fixed = in_fixed(one);
     ASSERT_NEAR(exact, fixed, 1e-4) << "case " << i;
     lit += exact > 1e-3 ? 1 : 0;
   }

@@ -68,7 +68,7 @@ TEST(StressWords, AreMadeFromTheResults) {
   rms.rms = 0.002;
   EXPECT_EQ(broken_words(rms),
             "an RMS error of 2.0e-3, in penumbrae of 0, where 9.8e-4 is the bar");
-  EXPECT_NE(finding_words(results)[1].find("double 2 (1 of them at no flagged wedge)"),
+  EXPECT_NE(finding_words(results)[1].find("double 2 (1 of them at no foreseen wedge)"),
             std::string::npos);
 }
 
